@@ -352,21 +352,20 @@ std::vector<ExportBlock> CutBlocks(const ExportMesh& mesh, const SidesOfCells& s
   CutAtSides(mesh.blocks, sides, mesh.sweep.layers > 0 ? 2 : Directions, first);
   first.Spread();
   std::vector<ExportBlock> blocks = first.Pieces();
-  for (bool isNew = true; isNew;)
+  constexpr int MostHalvings = 6; // a spiral of 32 turns; more are needed if cells are inverted
+  bool isNew = true;
+  for (int halving = 0; isNew; ++halving)
   {
     BlockCuts cuts(blocks, mesh.points.size());
     isNew = false;
     const int tooShort =
       CutAmbiguousEdges(blocks, cuts, isNew) + CutFoldedBlocks(mesh, blocks, cuts, isNew);
-    if (isNew)
-    {
-      cuts.Spread();
-      blocks = cuts.Pieces();
-    }
-    else if (tooShort > 0)
+    if (tooShort > 0 || (isNew && halving == MostHalvings))
     {
       return {};
     }
+    cuts.Spread();
+    blocks = cuts.Pieces();
   }
   return blocks;
 }

@@ -7,7 +7,6 @@
 #include "MeshNumbering.h"
 #include "MeshText.h"
 #include "PeriodicNodes.h"
-#include "SideFaces.h"
 
 #include <algorithm>
 #include <map>
@@ -20,11 +19,11 @@ namespace
 class FaceWriting
 {
 public:
-  FaceWriting(const ExportMesh& mesh, FoamMesh& result)
+  FaceWriting(const ExportMesh& mesh, const MeshFaces& faces, FoamMesh& result)
     : Mesh(mesh)
-    , Buckets(mesh)
-    , Partners(this->Buckets.FindPartners())
-    , Sides(FindSideFaces(mesh, this->Buckets, this->Partners))
+    , Buckets(faces.buckets)
+    , Partners(faces.partners)
+    , Sides(faces.sides)
     , Result(result)
   {
     const CellLattice lattice(3, 1);
@@ -37,6 +36,11 @@ public:
     this->Result.point = std::move(numbering.point);
     this->Result.starts = { 0 };
     this->RequireFaces();
+    const std::size_t count = faces.partners.size(); // each inner face twice
+    this->Result.owner.reserve(count);
+    this->Result.neighbour.reserve(count / 2);
+    this->Result.starts.reserve(count);
+    this->Result.corners.reserve(4 * count);
   }
 
   void AddInner()
@@ -219,11 +223,11 @@ private:
   }
 
   const ExportMesh& Mesh;
-  FaceBuckets Buckets;
-  std::vector<int> Partners;
-  SideFaces Sides;
-  std::vector<std::vector<int>> Corners;  ///< Per face of a cell, positions of its corners.
-  std::vector<int> Number;                ///< Per point of the mesh, that of OpenFOAM.
+  const FaceBuckets& Buckets;
+  const std::vector<int>& Partners;
+  SideFaces Sides; ///< Those of periodic sides in the order of their partners.
+  std::vector<std::vector<int>> Corners; ///< Per face of a cell, positions of its corners.
+  std::vector<int> Number;               ///< Per point of the mesh, that of OpenFOAM.
   std::map<std::size_t, int> FirstCorner; ///< Per face of a cyclic patch, its first node.
   std::vector<int> Nodes;                 ///< Of a face.
   FoamMesh& Result;
@@ -273,14 +277,14 @@ std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& pat
   return patches;
 }
 
-FoamMesh MakeFoamMesh(const ExportMesh& mesh)
+FoamMesh MakeFoamMesh(const ExportMesh& mesh, const MeshFaces& faces)
 {
   FoamMesh result;
-  FaceWriting faces(mesh, result);
-  faces.MatchPeriodic();
-  faces.AddInner();
-  faces.AddPatches();
-  faces.AddZones();
+  FaceWriting writing(mesh, faces, result);
+  writing.MatchPeriodic();
+  writing.AddInner();
+  writing.AddPatches();
+  writing.AddZones();
   return result;
 }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ExportMesh.h"
+#include "SideFaces.h"
 
 #include <string>
 #include <vector>
@@ -50,6 +51,6 @@ std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& pat
 /// nodes that match.
 ///
 /// Throws Error if a face is between three cells or twice in one, a side is in part inside, and as
-/// FindSideFaces and PeriodicNodes do.
-FoamMesh MakeFoamMesh(const ExportMesh& mesh);
+/// PeriodicNodes does.
+FoamMesh MakeFoamMesh(const ExportMesh& mesh, const MeshFaces& faces);
 }

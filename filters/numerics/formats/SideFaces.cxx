@@ -6,13 +6,9 @@
 
 namespace crossfield
 {
-SideFaces FindSideFaces(const ExportMesh& mesh)
+namespace
 {
-  const FaceBuckets buckets(mesh);
-  return FindSideFaces(mesh, buckets, buckets.FindPartners());
-}
-
-SideFaces FindSideFaces(
+SideFaces FindIn(
   const ExportMesh& mesh, const FaceBuckets& buckets, const std::vector<int>& partners)
 {
   const std::string kind = mesh.dimension == 2 ? "edge" : "face";
@@ -51,6 +47,18 @@ SideFaces FindSideFaces(
     }
   }
   return result;
+}}
+
+SideFaces FindSideFaces(const ExportMesh& mesh)
+{
+  return MeshFaces(mesh).sides;
+}
+
+MeshFaces::MeshFaces(const ExportMesh& mesh)
+  : buckets(mesh)
+  , partners(this->buckets.FindPartners())
+  , sides(FindIn(mesh, this->buckets, this->partners))
+{
 }
 
 void RequireNoInnerSides(const ExportMesh& mesh, const SideFaces& faces, const std::string& format)

@@ -17,10 +17,19 @@ struct SideFaces
 };
 
 /// Finds the cell of every boundary face. Throws Error if a face belongs to no cell or is given twice, or
-/// if a face with one cell is missing. The second function uses the buckets of the mesh and their partners.
+/// if a face with one cell is missing.
 SideFaces FindSideFaces(const ExportMesh& mesh);
-SideFaces FindSideFaces(
-  const ExportMesh& mesh, const FaceBuckets& buckets, const std::vector<int>& partners);
+
+/// All faces of a mesh: which are the same, and which are in a side. Refers to the mesh; throws Error as
+/// FindSideFaces does.
+struct MeshFaces
+{
+  explicit MeshFaces(const ExportMesh& mesh);
+
+  FaceBuckets buckets;
+  std::vector<int> partners; ///< FaceBuckets::FindPartners
+  SideFaces sides;
+};
 
 /// Throws Error, which calls the format `format`, if a side is inside.
 void RequireNoInnerSides(const ExportMesh& mesh, const SideFaces& faces, const std::string& format);

@@ -4,7 +4,6 @@
 #include "FoamMesh.h"
 #include "FoamText.h"
 #include "Index.h"
-#include "SideFaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,17 +29,16 @@ constexpr std::array<int, 12> EdgeStarts = { 0, 3, 7, 4, 0, 1, 5, 4, 0, 1, 2, 3 
 class FoundSides : public SidesOfCells
 {
 public:
-  explicit FoundSides(const ExportMesh& mesh)
-    : Buckets(mesh)
-    , SideOfFace(this->Buckets.Count(), -1)
+  explicit FoundSides(const MeshFaces& faces)
+    : Buckets(faces.buckets)
+    , SideOfFace(faces.buckets.Count(), -1)
   {
-    const SideFaces faces = FindSideFaces(mesh, this->Buckets, this->Buckets.FindPartners());
-    for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
+    for (std::size_t side = 0; side < faces.sides.ofSide.size(); ++side)
     {
-      for (const SideFace& face : faces.ofSide[side])
+      for (const SideFace& face : faces.sides.ofSide[side])
       {
         this->SideOfFace[this->Buckets.NumberOf(face)] =
-          faces.isInside[side] ? -1 : static_cast<int>(side);
+          faces.sides.isInside[side] ? -1 : static_cast<int>(side);
       }
     }
   }
@@ -52,7 +50,7 @@ public:
   }
 
 private:
-  FaceBuckets Buckets;
+  const FaceBuckets& Buckets;
   std::vector<int> SideOfFace;
 };
 
@@ -263,13 +261,13 @@ private:
 };
 }
 
-std::string WriteBlockMesh(const ExportMesh& mesh)
+std::string WriteBlockMesh(const ExportMesh& mesh, const MeshFaces& faces)
 {
   if (mesh.blocks.empty())
   {
     return "";
   }
-  const FoundSides sides(mesh);
+  const FoundSides sides(faces);
   const std::vector<ExportBlock> blocks = CutBlocks(mesh, sides);
   if (blocks.empty())
   {

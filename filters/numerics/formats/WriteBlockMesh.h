@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ExportMesh.h"
+#include "SideFaces.h"
 
 #include <string>
 
@@ -13,5 +14,5 @@ namespace crossfield
 /// Along an edge of a block, cells grow geometrically from the first to the last one of the mesh; edges that
 /// are not straight are polylines through its nodes. Inside, blockMesh interpolates between the edges of a
 /// block. So it makes as many cells, but not the same nodes.
-std::string WriteBlockMesh(const ExportMesh& mesh);
+std::string WriteBlockMesh(const ExportMesh& mesh, const MeshFaces& faces);
 }

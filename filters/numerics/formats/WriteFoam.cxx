@@ -136,8 +136,9 @@ std::vector<std::pair<std::string, std::string>> WriteSolid(const ExportMesh& me
   RequireAxis(mesh);
   const std::string folder = std::string(MeshFolder) + "/";
   std::vector<std::pair<std::string, std::string>> files;
+  const MeshFaces faces(mesh);
   {
-    const FoamMesh foam = MakeFoamMesh(mesh);
+    const FoamMesh foam = MakeFoamMesh(mesh, faces);
     MeshText note;
     note.Add("nPoints: ").Add(static_cast<int>(foam.point.size())).Add("  nCells: ");
     note.Add(mesh.CellCount()).Add("  nFaces: ").Add(static_cast<int>(foam.owner.size()));
@@ -152,7 +153,7 @@ std::vector<std::pair<std::string, std::string>> WriteSolid(const ExportMesh& me
     files.emplace_back(folder + "faceZones", WriteZones(foam.faceZones, "face"));
     files.emplace_back(folder + "pointZones", WriteZones({}, "point"));
   }
-  const std::string dict = WriteBlockMesh(mesh);
+  const std::string dict = WriteBlockMesh(mesh, faces);
   if (!dict.empty())
   {
     files.emplace_back("system/blockMeshDict", dict);

@@ -20,6 +20,11 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 
+FoamMesh FacesOf(const ExportMesh& mesh)
+{
+  return MakeFoamMesh(mesh, MeshFaces(mesh));
+}
+
 /// Quads of a rectangle, columns × rows, from the points of a map of the unit square, as blocks of random sizes.
 ExportMesh Rectangle(int columns, int rows,
   const std::function<Eigen::Vector3d(double, double)>& place, Random& random)
@@ -199,7 +204,7 @@ TEST(WriteFoam, CellsAreClosedAndFacesInOrder)
     sweep.layers = random.Integer(1, 4);
     sweep.height = 0.7;
     const ExportMesh mesh = SweepQuads(Rectangle(columns, rows, UnitSquare, random), sweep).mesh;
-    const FoamMesh foam = MakeFoamMesh(mesh);
+    const FoamMesh foam = FacesOf(mesh);
     EXPECT_NEAR(ExpectValid(mesh, foam), 0.7, 1e-12);
     const int quads = columns * rows;
     const int inPlane = (columns - 1) * rows + columns * (rows - 1);
@@ -240,7 +245,7 @@ TEST(WriteFoam, RevolutionsHaveWedgesAndPrisms)
         const auto place = [inner](double u, double v)
         { return Eigen::Vector3d(2.0 * u, inner + v, 0.0); };
         const ExportMesh mesh = SweepQuads(Rectangle(4, 3, place, random), sweep).mesh;
-        const FoamMesh foam = MakeFoamMesh(mesh);
+        const FoamMesh foam = FacesOf(mesh);
         // The area of the polygon that replaces the arc is that of its triangles.
         const double step = angle / 180.0 * Pi / layers;
         const double section = ((inner + 1.0) * (inner + 1.0) - inner * inner) / 2.0;
@@ -271,7 +276,7 @@ TEST(WriteFoam, PeriodicSidesAreCyclicAndMatch)
   Sweep sweep;
   sweep.layers = 3;
   const ExportMesh mesh = SweepQuads(quads, sweep).mesh;
-  const FoamMesh foam = MakeFoamMesh(mesh);
+  const FoamMesh foam = FacesOf(mesh);
   ExpectValid(mesh, foam);
   const FoamPatch* left = Find(foam, "left_side");
   const FoamPatch* right = Find(foam, "right_side");
@@ -325,7 +330,7 @@ TEST(WriteFoam, RegionsAndInnerSidesAreZones)
   Sweep sweep;
   sweep.layers = 2;
   const ExportMesh mesh = SweepQuads(quads, sweep).mesh;
-  const FoamMesh foam = MakeFoamMesh(mesh);
+  const FoamMesh foam = FacesOf(mesh);
   ExpectValid(mesh, foam);
   ASSERT_EQ(foam.cellZones.size(), 2U);
   EXPECT_EQ(foam.cellZones[0].members.size() + foam.cellZones[1].members.size(), 24U);
@@ -363,7 +368,7 @@ TEST(WriteFoam, NamesAreWords)
     }
     const ExportMesh mesh = SweepQuads(quads, {}).mesh;
     std::set<std::string> names;
-    for (const FoamPatch& patch : MakeFoamMesh(mesh).patches)
+    for (const FoamPatch& patch : FacesOf(mesh).patches)
     {
       names.insert(patch.name);
       EXPECT_EQ(patch.name.find_first_of(" \"'/;{}()#$\\\t"), std::string::npos) << patch.name;
@@ -384,7 +389,7 @@ TEST(WriteFoam, AThousandSides)
     quads.side[Index(face)] = face;
   }
   const ExportMesh mesh = SweepQuads(quads, {}).mesh;
-  const FoamMesh foam = MakeFoamMesh(mesh);
+  const FoamMesh foam = FacesOf(mesh);
   ExpectValid(mesh, foam);
   EXPECT_EQ(foam.patches.size(), 1003U);
 }
@@ -417,7 +422,7 @@ TEST(WriteFoam, OneLayerIsNormalToAnAxis)
   Sweep sweep;
   sweep.layers = 2;
   const ExportMesh mesh = SweepQuads(quads, sweep).mesh;
-  ExpectValid(mesh, MakeFoamMesh(mesh));
+  ExpectValid(mesh, FacesOf(mesh));
   EXPECT_EQ(WriteFoam(mesh).size(), 8U);
 }
 
@@ -428,7 +433,7 @@ TEST(WriteFoam, RefusesFacesTwiceInACell)
   sweep.kind = Sweep::Rotation;
   sweep.angle = 360.0;
   const auto place = [](double u, double v) { return Eigen::Vector3d(u, 1.0 + v, 0.0); };
-  EXPECT_THROW(MakeFoamMesh(SweepQuads(Rectangle(2, 2, place, random), sweep).mesh), Error);
+  EXPECT_THROW(FacesOf(SweepQuads(Rectangle(2, 2, place, random), sweep).mesh), Error);
 }
 
 TEST(WriteFoam, FolderAndMarker)
