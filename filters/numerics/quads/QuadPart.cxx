@@ -1,6 +1,7 @@
 #include "QuadPart.h"
 
 #include "Index.h"
+#include "NodePairs.h"
 #include "QuadQuality.h"
 
 #include <algorithm>
@@ -68,6 +69,11 @@ QuadPart::QuadPart(const QuadMesh& full, const std::vector<bool>& fullMoves, int
     this->mesh.quads.push_back(quad);
     this->mesh.targetLengths.push_back(full.targetLengths[q]);
   }
+  for (const int single : CopyPairs(full, number, this->mesh))
+  {
+    this->moves[Index(single)] = false;
+  }
+  MovePairsTogether(this->mesh, this->moves);
 }
 
 void QuadPart::CopyPoints(QuadMesh& full) const
