@@ -71,7 +71,7 @@ public:
     {
       this->Request.quadCount = CountBeforeLayers(domain, this->Request);
     }
-    this->MapOptions.corners = CornersForLayers(domain, this->Request);
+    this->MapOptions.corners = CompleteCorners(domain, this->Request);
     this->MapOptions.capCorners = this->Request.capCorners;
   }
 

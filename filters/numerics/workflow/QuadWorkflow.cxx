@@ -53,7 +53,7 @@ QuadWorkflowResult MakeQuadMesh(
   {
     // Its remedy, a finer mesh, was tried.
     std::vector<Point> kept = request.sides.FixedPlaces();
-    for (const CornerChoice& corner : CornersForLayers(domain, request))
+    for (const CornerChoice& corner : CompleteCorners(domain, request))
     {
       kept.push_back(corner.position);
     }
