@@ -38,7 +38,7 @@ struct SideSpan
 /// Returns where a side is. Throws Error if it is closed or has several pieces.
 SideSpan FindSpan(const BoundarySides& sides, const std::vector<LoopArc>& loops, int side);
 
-/// Finds the motions of pairs of sides (docs/method.md §18.1). A motion within PeriodicReach of a
+/// Finds the motions of pairs of sides (docs/method.md §19.1). A motion within PeriodicReach of a
 /// translation is a translation. `curves` are those of the boundary.
 ///
 /// Throws Error if there is no such side, a side is in two pairs, closed or of several pieces, or no

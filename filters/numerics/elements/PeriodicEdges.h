@@ -1,6 +1,6 @@
 #pragma once
 
-#include "HigherOrder.h"
+#include "StraightQuads.h"
 
 namespace crossfield
 {
