@@ -2,6 +2,8 @@
 refused in one sentence, without files."""
 import json
 import math
+import shutil
+import subprocess
 import unittest
 
 from program import SENTENCE, ProgramTest
@@ -68,7 +70,7 @@ class Sides(ProgramTest):
 
     def test_periodic_sides_have_matching_nodes(self):
         # so many points that the program would remove some of them
-        write_domain(self.folder / "passage.vtp", [passage(3000), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
+        write_domain(self.folder / "passage.vtp", [passage(2000), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
         write_domain(self.folder / "sector.vtp", [passage(angle=0.7)])
         report = self.report("passage.vtp", "--periodic", "low:high", "--quads", "300")
         [pair] = report["periodic"]
@@ -88,6 +90,10 @@ class Sides(ProgramTest):
         self.assertIn("periodic sides 'high' and 'low': 25 edges, rotation by -40.107", text)
         links = (self.folder / "a.msh").read_text().split("$Periodic\n")[1].split()
         self.assertEqual(int(links[21]), 2 * 25 + 1, "all nodes of the side")
+        if shutil.which("gmsh"):
+            subprocess.run(["gmsh", "a.msh", "-save", "-o", "b.msh"], cwd=self.folder, check=True, capture_output=True)
+            again = (self.folder / "b.msh").read_text().split("$Periodic\n")[1].split()
+            self.assertEqual(again[:4] + again[21:22], links[:4] + links[21:22], "as gmsh reads it")
 
     def test_sides_that_are_no_images_are_refused(self):
         write_domain(self.folder / "passage.vtp", [passage(), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
