@@ -85,8 +85,8 @@ public:
     return steps;
   }
 
-  /// Smooths some rings around every singularity and every inverted quad until convergence: there
-  /// quads vary most, and a coarser mesh is least accurate.
+  /// Smooths some rings around every singularity, periodic side and inverted quad until convergence:
+  /// there quads vary most, and a coarser mesh is least accurate.
   void SmoothNearCones(QuadMesh& mesh) const
   {
     constexpr int Rings = 12; // six rings of a coarser mesh

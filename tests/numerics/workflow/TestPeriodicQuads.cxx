@@ -238,9 +238,13 @@ TEST(PeriodicQuads, MatchInLargeMeshes)
 {
   Random random(61);
   const PeriodicDomain domain = RandomPassage(random, 1);
-  const QuadWorkflowResult result = MakeQuadMesh(domain.domain, RequestFor(domain, 7000));
+  QuadRequest request = RequestFor(domain, 7000);
+  const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
   EXPECT_GT(result.quads.mesh.quads.size(), 6500U) << "smoothed with coarser meshes";
   ExpectPeriodic(domain, result);
+  request.periodicNames.clear();
+  const QuadWorkflowResult without = MakeQuadMesh(domain.domain, request);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.7 * without.quads.quality.jacobian.min);
 }
 
 TEST(PeriodicQuads, MatchWithAProgressionOfOneSide)
