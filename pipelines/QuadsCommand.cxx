@@ -24,6 +24,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -187,6 +188,33 @@ void PrintLayers(vtkFieldData* report)
   }
 }
 
+/** Prints a line for each pair of periodic sides. */
+void PrintPeriodic(vtkFieldData* report)
+{
+  auto* kinds = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::PeriodicKind));
+  auto* sides = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::PeriodicSides));
+  for (vtkIdType i = 0; kinds != nullptr && i < kinds->GetNumberOfValues(); ++i)
+  {
+    const auto value = [&](const char* name, int component = 0)
+    { return report->GetArray(name)->GetComponent(i, component); };
+    const bool isRotation = value(names::PeriodicAngle) != 0.0;
+    const char* vector = isRotation ? names::PeriodicCentre : names::PeriodicVector;
+    std::cout << "periodic sides '" << sides->GetValue(2 * i) << "' and '"
+              << sides->GetValue(2 * i + 1) << "': " << value(names::PeriodicEdges) << " edges, ";
+    if (isRotation)
+    {
+      std::cout << "rotation by " << vtkMath::DegreesFromRadians(value(names::PeriodicAngle))
+                << " degrees about (";
+    }
+    else
+    {
+      std::cout << "translation by (";
+    }
+    std::cout << value(vector, 0) << ", " << value(vector, 1) << ", " << value(vector, 2)
+              << "), largest mismatch of nodes " << value(names::PeriodicMismatch) << "\n";
+  }
+}
+
 int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
@@ -199,6 +227,7 @@ int Mesh(const QuadsOptions& options)
   // 2. Read the domain and the configuration.
   BoundaryOptions boundary = options.boundary;
   boundary.sizes = options.sides.ReadSizes();
+  boundary.kept = options.sides.PeriodicNames();
   boundary.curves = options.sides.CurvesText();
   const auto domain = BoundaryInput::Open(options.domain, options.meshSize, boundary);
   vtkNew<vtkQuadMesher> mesher;
@@ -304,6 +333,7 @@ int Mesh(const QuadsOptions& options)
                 << (layers == 1.0 ? " layer\n" : " layers\n");
     }
     PrintLayers(quads->GetFieldData());
+    PrintPeriodic(quads->GetFieldData());
     PrintCurves(quads->GetFieldData());
   }
   outputs.Commit();

@@ -1,13 +1,14 @@
-"""Boundary layers, treatments of corners and curves in the text form of vtkQuadMesher."""
+"""Boundary layers, treatments of corners, curves and periodic sides in the text form of vtkQuadMesher."""
 from __future__ import annotations
 
-from typing import Mapping, Sequence, Union
+from typing import Iterable, Mapping, Sequence, Union
 
 from ._run import Error
 
 Layers = Mapping[str, Union[float, Sequence[float]]]
 CornerRows = Mapping[Union[str, Sequence[float]], str]
 Curves = Union[str, Mapping[str, str]]
+Periodic = Union[Mapping[str, str], Iterable[tuple[str, str]]]
 
 
 def _name(name: str) -> str:
@@ -41,3 +42,9 @@ def curves_text(curves: Curves) -> str:
             raise Error("The curves '%s' are neither \"auto\" nor a dictionary of sides; give one of them." % curves)
         return curves
     return ";".join("%s:%s" % (_name(name), kind) for name, kind in curves.items())
+
+
+def periodic_text(periodic: Periodic) -> str:
+    """Returns the pairs of sides that are images of each other."""
+    pairs = periodic.items() if isinstance(periodic, Mapping) else periodic
+    return ";".join("%s:%s" % (_name(first), _name(second)) for first, second in pairs)

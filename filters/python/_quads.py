@@ -13,7 +13,8 @@ from vtkmodules.vtkCommonDataModel import (
 from . import names
 from ._configurations import checked, corner_points
 from ._input import Domain, Singularities, as_configuration, as_domain
-from ._layers import CornerRows, Curves, Layers, corner_rows_text, curves_text, layers_text
+from ._layers import (
+    CornerRows, Curves, Layers, Periodic, corner_rows_text, curves_text, layers_text, periodic_text)
 from ._plot import plot_quads
 from ._reports import report_of
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, replace_file, write_grid
@@ -228,7 +229,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
           sizes: Optional[Mapping[str, float]] = None, min_size: Optional[float] = None,
           max_size: Optional[float] = None, layers: Optional[Layers] = None, curves: Optional[Curves] = None,
-          order: int = 1) -> QuadMesh:
+          periodic: Optional[Periodic] = None, order: int = 1) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -272,6 +273,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    number of rows; report["layers"] has the measures, and `count` includes the rows
     curves         curves that sides stand for, as {"hole": "circle"}: "circle", "ellipse", "spline" (cubic through
                    the points) or "line"; or "auto", which recognises arcs of circles; nodes are then on the curves
+    periodic       pairs of sides that are images of each other under a translation or rotation, as {"left": "right"}
+                   or a list of pairs: equal numbers of edges and nodes that match; report["periodic"] has the motions
     order          order of the quads, 1 to 3; with 2 and 3, edges of the boundary follow the curves
 
     The singularities and corners used are in `singularities` of the result. Inverted quads are a
@@ -341,6 +344,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetLayers(layers_text(layers))
     if curves is not None:
         mesher.SetCurves(curves_text(curves))
+    if periodic is not None:
+        mesher.SetPeriodic(periodic_text(periodic))
     if isinstance(corners, Mapping):
         mesher.SetCornerRows(corner_rows_text(corners))
     elif corners is not None:

@@ -173,6 +173,30 @@ void ShortenFor(const std::vector<std::pair<std::string, double>>& sizes,
   }
 }
 
+/** Returns all points of sides. */
+std::vector<crossfield::Point> PointsOf(const std::vector<std::string>& names,
+  const crossfield::BoundarySides& sides, const crossfield::PlanarDomain& domain)
+{
+  const std::vector<crossfield::LoopArc> arcs(domain.loops.begin(), domain.loops.end());
+  const crossfield::SidesAlong along(sides, arcs);
+  std::vector<crossfield::Point> points;
+  for (std::size_t l = 0; l < arcs.size(); ++l)
+  {
+    const std::size_t count = domain.loops[l].size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const int side = along.At(l, 0.5 * (arcs[l].Start(i) + arcs[l].Start(i + 1)));
+      if (std::find(names.begin(), names.end(), sides.names[static_cast<std::size_t>(side)]) !=
+        names.end())
+      {
+        points.push_back(domain.loops[l][i]);
+        points.push_back(domain.loops[l][(i + 1) % count]);
+      }
+    }
+  }
+  return points;
+}
+
 /**
  * Writes one polyline per loop, or per piece of a side or a curve, with the arrays of the nearest
  * points of the input.
@@ -304,9 +328,16 @@ int vtkBoundarySimplifier::RequestData(
         const std::vector<crossfield::Point> ends = named.sides.FixedPlaces();
         kept.insert(kept.end(), ends.begin(), ends.end());
       }
-      const crossfield::CurvesOfSegments curves = crossfield::FindCurves(given.domain,
-        named.array.empty() ? crossfield::NameSides(given.domain) : named.sides, request,
-        SegmentCurveConversion::Read(input, given));
+      const crossfield::BoundarySides sides =
+        named.array.empty() ? crossfield::NameSides(given.domain) : named.sides;
+      if (!this->KeptSides.empty())
+      {
+        const std::vector<crossfield::Point> points =
+          PointsOf(this->KeptSides, sides, given.domain);
+        kept.insert(kept.end(), points.begin(), points.end());
+      }
+      const crossfield::CurvesOfSegments curves = crossfield::FindCurves(
+        given.domain, sides, request, SegmentCurveConversion::Read(input, given));
       const crossfield::CurvedBoundary boundary = crossfield::PiecesOf(given.domain, curves);
       for (const crossfield::CurveStart& start : boundary.starts)
       {
@@ -324,9 +355,7 @@ int vtkBoundarySimplifier::RequestData(
         std::vector<double> lengths(given.domain.loops.size(), thinning);
         if (this->ThinningLength < 0.0 && !this->SideSizes.empty())
         {
-          ShortenFor(this->SideSizes,
-            named.array.empty() ? crossfield::NameSides(given.domain) : named.sides, given.domain,
-            lengths);
+          ShortenFor(this->SideSizes, sides, given.domain, lengths);
         }
         crossfield::SimplifiedBoundary thin =
           crossfield::ThinLoops(simple.domain, lengths, kept, cornerAngle);
@@ -374,6 +403,20 @@ void vtkBoundarySimplifier::ClearSideSizes()
 }
 
 //------------------------------------------------------------------------------
+void vtkBoundarySimplifier::AddKeptSide(const std::string& name)
+{
+  this->KeptSides.push_back(name);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundarySimplifier::ClearKeptSides()
+{
+  this->KeptSides.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -383,5 +426,6 @@ void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
   os << indent << "SideSizes: " << this->SideSizes.size() << "\n";
+  os << indent << "KeptSides: " << this->KeptSides.size() << "\n";
   os << indent << "Curves: " << this->Curves << "\n";
 }

@@ -102,6 +102,15 @@ public:
 
   ///@{
   /**
+   * Keeps the boundary at all points of a side, such as a side whose image is another one
+   * (vtkQuadMesher::SetPeriodic). Names of sides that the boundary has not are ignored.
+   */
+  void AddKeptSide(const std::string& name);
+  void ClearKeptSides();
+  ///@}
+
+  ///@{
+  /**
    * Sets the curves that sides stand for, as for vtkQuadMesher. They are fitted to the boundary before
    * it is simplified; the output has the array `Curve` of its lines and the field data of the curves
    * (docs/curves.md). Curves that the domain has already are retained. The boundary is kept where
@@ -133,6 +142,7 @@ private:
   double CornerAngle = 30.0;
   std::string SideNameArray;
   std::vector<std::pair<std::string, double>> SideSizes;
+  std::vector<std::string> KeptSides;
   std::string Curves;
 };
 

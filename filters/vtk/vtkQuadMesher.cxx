@@ -10,6 +10,7 @@
 #include "FilterRun.h"
 #include "HolonomyConversion.h"
 #include "LayerText.h"
+#include "PeriodicConversion.h"
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "QuadWorkflow.h"
@@ -124,6 +125,7 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.repairPart = this->RepairPart;
   request.split = this->SplitSingularities;
   request.layers = LayerText::ReadLayers(this->Layers);
+  request.periodicNames = PeriodicConversion::ReadNames(this->Periodic);
   request.cornerRows = LayerText::ReadCornerRows(this->CornerRows, plane);
   request.merge = static_cast<crossfield::BlockMerge>(this->Merge);
   return request;
@@ -147,6 +149,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   CornerConversion::WriteChoices(result.corners, plane, vtkPolyData::GetData(outputVector, 4));
   QuadConversion::WriteBoundary(
     mesh, result.boundary, plane, vtkPolyData::GetData(outputVector, 5));
+  PeriodicConversion::Write(result, plane, vtkPolyData::GetData(outputVector, 5)->GetFieldData());
   QuadConversion::WriteIrregularNodes(mesh, plane, vtkPolyData::GetData(outputVector, 6));
   QuadConversion::WriteSeparatrices(result.quads, plane, vtkPolyData::GetData(outputVector, 7));
   this->WriteSummary(result, plane, vtkTable::GetData(outputVector, SummaryPort));
@@ -170,6 +173,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   QuadReport::WriteBlockCounts(result.blocks, report);
   QuadReport::WriteLayers(result.layers, report);
   QuadReport::WriteCurves(result, report);
+  PeriodicConversion::WriteReport(result, plane, report);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, report);
@@ -239,6 +243,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RepairPart: " << this->RepairPart << "\n";
   os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "Periodic: " << this->Periodic << "\n";
   os << indent << "CornerRows: " << this->CornerRows << "\n";
   os << indent << "Curves: " << this->Curves << "\n";
   os << indent << "StageSeconds:";

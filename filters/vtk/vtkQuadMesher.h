@@ -43,7 +43,7 @@
  * and `Side` (string), the name of its side (see SideNameArray), and the point array `VertexId` (int),
  * the point of output 0. If the boundary has curves (see Curves), also with the cell array `Curve` (int),
  * the curve that its ends are on, −1 without one, and the field data `CurveKind`, `CurveOffset` and
- * `CurveValues` (docs/curves.md).
+ * `CurveValues` (docs/curves.md); with Periodic, also with the field data `PeriodicSides` and `PeriodicMotion`.
  *
  * Output 6 (vtkPolyData): the irregular nodes, as points with `QuarterIndex` (int), 4 − valence, and
  * `Valence` (int). Corners and other boundary nodes are not among them.
@@ -68,6 +68,10 @@
  * `SideNames`, `SideEdges` and `SideLengths` (name, number of edges and length of each side),
  * `CurveSides`, `CurveEdges` and `CurveMoved` (names of the sides, number of edges and
  * largest distance of a node from the polyline of the domain, per curve),
+ * per pair of Periodic `PeriodicSides` (2 names), `PeriodicMotion` (16, the matrix, row by row, that takes
+ * points (x, y, z, 1) of the first side to those of the second), `PeriodicKind` (translation or rotation),
+ * `PeriodicVector` (3), `PeriodicCentre` (3), `PeriodicAngle` (radians), `PeriodicEdges` and
+ * `PeriodicMismatch` (largest distance of a node from the image of its partner),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
  * `Warnings` (one sentence each).
@@ -347,6 +351,19 @@ public:
 
   ///@{
   /**
+   * Sets pairs of sides whose nodes match: entries A:B separated by semicolons, for example
+   * "left:right". Side B must be the image of side A under a translation or rotation, within 1e-6 of the
+   * diagonal of the domain, with the domain on opposite sides of them, as in the sector of a rotor. Both
+   * then have equal numbers of edges, and every node of B is the image of one of A to rounding. Default: empty, none.
+   */
+  vtkSetMacro(Periodic, std::string);
+  vtkGetMacro(Periodic, std::string);
+  ///@}
+  /** Sets the pairs of sides; overload for ParaView. */
+  void SetPeriodic(const char* pairs) { this->SetPeriodic(std::string(pairs ? pairs : "")); }
+
+  ///@{
+  /**
    * Sets what rows of quads do at corners: entries WHERE:end, WHERE:turn or WHERE:leave separated by
    * semicolons. WHERE is a position X,Y or X,Y,Z, a range of interior angles in degrees such as
    * 200-300, or the name of a side for all of its corners. Rows end on the next side (one quad at
@@ -412,6 +429,7 @@ private:
   bool SplitSingularities = false;
   std::string Layers;
   std::string CornerRows;
+  std::string Periodic;
   std::string Curves;
   double StageSeconds[8] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };

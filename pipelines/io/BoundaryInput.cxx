@@ -96,6 +96,10 @@ vtkSmartPointer<vtkAlgorithm> Open(
   {
     simplifier->AddSideSize(side, length);
   }
+  for (const std::string& side : options.kept)
+  {
+    simplifier->AddKeptSide(side);
+  }
   return simplifier;
 }
 

@@ -21,6 +21,7 @@ struct BoundaryOptions
   double joinTolerance = 0.0;                        ///< JoinTolerance of vtkDrawingReader.
   std::string names;                                 ///< SideNameArray of vtkBoundarySimplifier.
   std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.
+  std::vector<std::string> kept;                     ///< AddKeptSide of vtkBoundarySimplifier.
   std::string curves;                                ///< Curves of vtkBoundarySimplifier.
 
   /** Adds the options --thin-boundary, --smooth-boundary and --join-tolerance. */

@@ -39,6 +39,10 @@ void SideOptions::AddTo(CLI::App& command)
     "NAME:[both:]RATIO");
   add("--size-at", this->sizes,
     "length of the edges of a side, met within 20 %, from which sizes grow; repeatable", "NAME:H");
+  add("--periodic", this->periodic,
+    "sides that are images of each other under a translation or rotation, such as those of a rotor's "
+    "sector: they get equal numbers of edges and nodes that match; repeatable",
+    "A:B");
   add("--curve", this->curves,
     "curve that a side stands for, on which its nodes are placed: circle, ellipse, spline (cubic "
     "through its points) or line; repeatable",
@@ -72,6 +76,18 @@ std::vector<std::pair<std::string, double>> SideOptions::ReadSizes() const
   return read;
 }
 
+std::vector<std::string> SideOptions::PeriodicNames() const
+{
+  std::vector<std::string> names;
+  for (const std::string& pair : this->periodic)
+  {
+    const auto [first, second] = Divide("--periodic", pair);
+    names.push_back(first);
+    names.push_back(second);
+  }
+  return names;
+}
+
 std::string SideOptions::CurvesText() const
 {
   std::string text = this->otherCurves;
@@ -99,6 +115,12 @@ void SideOptions::SetOn(vtkQuadMesher* mesher) const
     const auto [name, value] = Divide("--size-at", text);
     mesher->AddSide(name, "", "", value);
   }
+  std::string pairs;
+  for (const std::string& pair : this->periodic)
+  {
+    pairs += pair + ";";
+  }
+  mesher->SetPeriodic(pairs);
   mesher->SetMinimumSize(this->minimumSize);
   mesher->SetMaximumSize(this->maximumSize);
 }

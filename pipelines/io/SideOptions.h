@@ -17,15 +17,18 @@ struct SideOptions
   std::vector<std::string> counts;
   std::vector<std::string> progressions;
   std::vector<std::string> sizes;
+  std::vector<std::string> periodic;
   std::vector<std::string> curves; ///< Of --curve.
   std::string otherCurves;         ///< Of --curves.
   double minimumSize = 0.0;
   double maximumSize = 0.0;
 
-  /** Adds the options --count, --progression, --size-at, --min-size, --max-size, --curve, --curves. */
+  /** Adds the options --count, --progression, --size-at, --periodic, --min-size, --max-size, --curve, --curves. */
   void AddTo(CLI::App& command);
   /** Returns the sizes of --size-at that are positive numbers; others are refused by the filter. */
   std::vector<std::pair<std::string, double>> ReadSizes() const;
+  /** Returns the sides of --periodic. Throws PipelineRun::Error if a pair has no two names. */
+  std::vector<std::string> PeriodicNames() const;
   /** Returns the curves in the form of vtkQuadMesher. */
   std::string CurvesText() const;
   /** Sets the prescriptions of a filter. Throws PipelineRun::Error if one has no name. */

@@ -43,6 +43,74 @@ def write_domain(path, loops):
     writer.Write()
 
 
+def cascade():
+    """Returns the passage of a turbine cascade, whose sides low and high are translates, around a blade."""
+    first, last, pitch, count = math.tan(math.radians(30)), -math.tan(math.radians(50)), 0.9, 60
+
+    def camber(x):
+        inside = min(max(x, 0.0), 1.0)
+        y = first * inside + (last - first) * inside ** 2 / 2
+        return y + first * min(x, 0.0) + last * max(x - 1.0, 0.0)
+
+    low = [(x, camber(x) - pitch / 2) for x in (-0.6 + 2.2 * i / count for i in range(count + 1))]
+    high = [(x, y + pitch) for x, y in reversed(low)]
+    outer = ([(x, y, "low" if i < count else "outlet") for i, (x, y) in enumerate(low)] +
+             [(x, y, "high" if i < count else "inlet") for i, (x, y) in enumerate(high)])
+    blade = []
+    for i in range(120):
+        angle = 2 * math.pi * i / 120
+        x = 0.5 - 0.5 * math.cos(angle)
+        blade.append((x, camber(x) - 0.07 * math.sin(angle) * (1 - 0.5 * x), "blade"))
+    return [outer, blade]
+
+
+def draw_with_neighbours(path, picture, size=(900, 700)):
+    """Draws quads in blue between their images under the motion of the periodic sides and its inverse."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    motion = vtk.vtkMatrix4x4()
+    motion.DeepCopy(grid.GetFieldData().GetArray("PeriodicMotion").GetTuple(0))
+    quads, sides = vtk.vtkPolyData(), vtk.vtkPolyData()
+    cells = {vtk.VTK_QUAD: vtk.vtkCellArray(), vtk.VTK_LINE: vtk.vtkCellArray()}
+    for cell in range(grid.GetNumberOfCells()):
+        ids = vtk.vtkIdList()
+        grid.GetCellPoints(cell, ids)
+        cells[grid.GetCellType(cell)].InsertNextCell(ids)
+    quads.SetPoints(grid.GetPoints())
+    quads.SetPolys(cells[vtk.VTK_QUAD])
+    sides.SetPoints(grid.GetPoints())
+    sides.SetLines(cells[vtk.VTK_LINE])
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for copy in (-1, 0, 1):
+        transform = vtk.vtkTransform()
+        transform.SetMatrix(motion)
+        if copy == 0:
+            transform.Identity()
+        elif copy < 0:
+            transform.Inverse()
+        for data in (quads, sides):
+            mapper = vtk.vtkPolyDataMapper()
+            mapper.SetInputData(data)
+            actor = vtk.vtkActor()
+            actor.SetMapper(mapper)
+            actor.SetUserTransform(transform)
+            actor.GetProperty().LightingOff()
+            if data is quads:
+                actor.GetProperty().SetColor(*((0.85, 0.91, 0.98) if copy == 0 else (0.96, 0.96, 0.95)))
+                actor.GetProperty().EdgeVisibilityOn()
+                actor.GetProperty().SetEdgeColor(*((0.1, 0.3, 0.55) if copy == 0 else (0.55, 0.55, 0.55)))
+            else:
+                actor.GetProperty().SetColor(0.84, 0.15, 0.16)
+                actor.GetProperty().SetLineWidth(3)
+            renderer.AddActor(actor)
+    bounds = grid.GetBounds()
+    save_view(renderer, picture, size, ((bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2),
+              1.03 * (bounds[3] - bounds[2]))
+
+
 def save_view(renderer, picture, size, centre, height):
     """Writes a view along z, around a point, of a height in the plane."""
     window = vtk.vtkRenderWindow()
@@ -124,6 +192,11 @@ def main(program, folder):
             quads = os.path.join(work, name + ".vtu")
             subprocess.run([program, "quads", part, "-o", quads, *arguments], check=True)
             draw(quads, os.path.join(folder, name + ".png"))
+        write_domain(part, cascade())
+        quads = os.path.join(work, "periodic.vtu")
+        subprocess.run([program, "quads", part, "-o", quads, "--quads", "1300", "--periodic", "low:high",
+                        "--layers", "blade:0.004,1.3"], check=True)
+        draw_with_neighbours(quads, os.path.join(folder, "periodic.png"))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 refused in one sentence, without files."""
 import json
 import math
+import shutil
+import subprocess
 import unittest
 
 from program import SENTENCE, ProgramTest
@@ -38,6 +40,19 @@ def circle(count, radius, centre, names):
              centre[1] + radius * math.sin(2 * math.pi * i / count), names(i)) for i in range(count)]
 
 
+def passage(count=40, angle=0.0):
+    """Returns the outline of a passage whose sides low and high are wavy translates, or a sector of a ring whose
+    sides are rotated by an angle."""
+    wave = [(1 + 2 * i / count, 0.1 * math.sin(5 * i / count)) for i in range(count + 1)]
+    if angle:
+        wave = [(x * math.cos(0.3 + y), x * math.sin(0.3 + y)) for x, y in wave]
+        high = [(x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)) for x, y in wave]
+    else:
+        high = [(x + 0.2, y + 1) for x, y in wave]
+    return ([(x, y, "low" if i < count else "outlet") for i, (x, y) in enumerate(wave)] +
+            [(x, y, "high" if i < count else "inlet") for i, (x, y) in enumerate(reversed(high))])
+
+
 RECTANGLE = [(0, 0, "bottom"), (3, 0, "right"), (3, 2, "top"), (0, 2, "left")]
 
 
@@ -52,6 +67,46 @@ class Sides(ProgramTest):
 
     def edges(self, domain, *arguments):
         return {side["name"]: side["edges"] for side in self.report(domain, *arguments)["sides"]}
+
+    def test_periodic_sides_have_matching_nodes(self):
+        # so many points that the program would remove some of them
+        write_domain(self.folder / "passage.vtp", [passage(2000), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
+        write_domain(self.folder / "sector.vtp", [passage(angle=0.7)])
+        report = self.report("passage.vtp", "--periodic", "low:high", "--quads", "300")
+        [pair] = report["periodic"]
+        self.assertEqual([pair[key] for key in ("first", "second", "kind", "angle")], ["low", "high", "translation", 0])
+        self.assertLess(math.dist([pair["vector"][axis] for axis in "xyz"], (0.2, 1, 0)), 1e-12)
+        self.assertLessEqual(pair["mismatch"], 1e-12)
+        sides = {side["name"]: side for side in report["sides"]}
+        self.assertEqual([sides["low"]["edges"], sides["high"]["edges"]], [pair["edges"]] * 2)
+        self.assertAlmostEqual(sides["low"]["length"], sides["high"]["length"], delta=1e-12)
+        arguments = ["--periodic", "high:low", "--quads", "300", "--layers", "inlet:0.005,1.3", "--count", "low:25"]
+        [pair] = self.report("sector.vtp", *arguments)["periodic"]
+        self.assertEqual([pair["kind"], pair["edges"]], ["rotation", 25])
+        self.assertAlmostEqual(pair["angle"], -0.7, delta=1e-13)
+        self.assertLess(math.dist([pair["centre"][axis] for axis in "xyz"], (0, 0, 0)), 1e-13)
+        self.assertLessEqual(pair["mismatch"], 1e-12)
+        text = self.succeed("quads", "sector.vtp", "-o", "a.msh", "--order", "2", *arguments)
+        self.assertIn("periodic sides 'high' and 'low': 25 edges, rotation by -40.107", text)
+        links = (self.folder / "a.msh").read_text().split("$Periodic\n")[1].split()
+        self.assertEqual(int(links[21]), 2 * 25 + 1, "all nodes of the side")
+        if shutil.which("gmsh"):
+            subprocess.run(["gmsh", "a.msh", "-save", "-o", "b.msh"], cwd=self.folder, check=True, capture_output=True)
+            again = (self.folder / "b.msh").read_text().split("$Periodic\n")[1].split()
+            self.assertEqual(again[:4] + again[21:22], links[:4] + links[21:22], "as gmsh reads it")
+
+    def test_sides_that_are_no_images_are_refused(self):
+        write_domain(self.folder / "passage.vtp", [passage(), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
+        for pair, reason in (("low:inlet", "The sides 'low' and 'inlet' are not images of each other"),
+                             ("low:wall", "The boundary has no side 'wall' for a periodic pair"),
+                             ("low:low", "The side 'low' is paired with itself"),
+                             ("low:hole", "The side 'hole' is a closed curve"),
+                             ("low", "--periodic: 'low' has no name of a side or no value")):
+            self.assertIn(reason, self.refuse("quads", "passage.vtp", "-o", "q.vtu", "--periodic", pair))
+        self.assertIn("is in two periodic pairs", self.refuse(
+            "quads", "passage.vtp", "-o", "q.vtu", "--periodic", "low:high", "--periodic", "inlet:low"))
+        self.assertIn("have different numbers", self.refuse(
+            "quads", "passage.vtp", "-o", "q.vtu", "--periodic", "low:high", "--count", "low:20", "--count", "high:22"))
 
     def test_sides_have_given_or_generated_names(self):
         report = self.report("plate.vtp")

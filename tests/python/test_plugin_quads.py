@@ -37,6 +37,21 @@ def test_save_data_for_solvers():
             check(file.read().startswith("$MeshFormat\n2.2 "), "the version")
 
 
+def test_periodic_sides():
+    rectangle = PlanarDomainSource(DomainName="rectangle")
+    mesher = QuadMesher(Input=rectangle, QuadCount=100, Periodic="outer3:outer1")
+    joined = QuadsToHigherOrder(Input=mesher, Boundary=OutputPort(mesher, 5), Order=2)
+    data = fetch(joined).GetFieldData()
+    names = data.GetAbstractArray("PeriodicSides")
+    check_equal([names.GetValue(i) for i in range(2)], ["outer3", "outer1"], "names of the pair")
+    check_equal(data.GetArray("PeriodicMotion").GetNumberOfComponents(), 16, "numbers of the motion")
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "a.msh")
+        SaveData(file, proxy=joined)
+        with open(file, encoding="utf-8") as text:
+            check("$Periodic\n1\n" in text.read(), "periodic sides in the file")
+
+
 def test_layout_designer():
     designer = LayoutDesigner(Input=PlanarDomainSource())
     lines = fetch(designer)

@@ -52,6 +52,25 @@ class Quads(unittest.TestCase):
                 del report["seconds"], report["integers"]["seconds"]
             self.assertEqual(json.dumps(found, sort_keys=True), json.dumps(expected, sort_keys=True))
 
+    def test_nodes_of_periodic_sides_match_at_every_order(self):
+        x = np.linspace(0, 2, 41)
+        low = np.c_[x, 0.15 * np.sin(4 * x)]
+        outline = np.vstack([low, low[::-1] + (0.1, 1)])
+        names = {"outer0": "spline", "outer2": "spline"}
+        for order in (1, 2, 3):
+            for pairs in ({"outer0": "outer2"}, [("outer0", "outer2")]):
+                mesh = crossfield.quads(outline, count=200, curves=names, order=order, periodic=pairs)
+                [pair] = mesh.report["periodic"]
+                shift = [pair["vector"][axis] for axis in "xyz"]
+                self.assertLess(np.linalg.norm(shift - np.array([0.1, 1, 0])), 1e-13)
+                self.assertLessEqual(pair["mismatch"], 1e-12)
+                first, second = (mesh.points[np.unique(mesh.edge_nodes[mesh.edge_side == side])] for side in names)
+                self.assertEqual(len(first), order * pair["edges"] + 1)
+                distances = np.linalg.norm(first[:, None] + shift - second[None], axis=-1)
+                self.assertLessEqual(distances.min(axis=1).max(), 1e-12)
+                self.assertLessEqual(distances.min(axis=0).max(), 1e-12)
+        self.refused("not images of each other", outline, count=200, periodic={"outer0": "outer1"})
+
     def test_layers_and_what_rows_do_at_corners(self):
         shape = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
         mesh = crossfield.quads(shape, size=0.1, layers={"outer0": (1e-3, 1.25), "outer2": 1e-3},

@@ -77,8 +77,8 @@ TEST_F(QuadMesher, FollowsFilterConventions)
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
     { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Merge", "MeshSize", "Clearance", "Pairs",
-      "CapCorners", "RepairHolonomy", "RepairPart", "SplitSingularities", "Layers", "CornerRows",
-      "StageSeconds" });
+      "CapCorners", "RepairHolonomy", "RepairPart", "SplitSingularities", "Layers", "Periodic",
+      "CornerRows", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

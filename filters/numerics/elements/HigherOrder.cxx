@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "Index.h"
 #include "LagrangeQuad.h"
+#include "PeriodicEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +75,16 @@ public:
         this->Evaluators.push_back({ CurveEvaluator(curve) });
       }
     }
-    for (const StraightEdge& edge : straight.edges)
+    const std::vector<int> masters = MatchEdges(straight);
+    for (const bool isImage : { false, true })
     {
-      this->AddStrip(edge);
+      for (std::size_t e = 0; e < straight.edges.size(); ++e)
+      {
+        if ((masters[e] >= 0) == isImage)
+        {
+          this->AddStrip(straight.edges[e], isImage ? &straight.edges[Index(masters[e])] : nullptr);
+        }
+      }
     }
   }
 
@@ -166,15 +174,33 @@ private:
     return offsets;
   }
 
-  void AddStrip(const StraightEdge& edge)
+  /// Returns the offsets of an edge that is the image of another one, whose nodes are known: they are
+  /// independent of position and direction.
+  Offsets OffsetsOfImage(const StraightEdge& edge, const StraightEdge& master)
+  {
+    const auto found = std::find_if(this->Straight.periodic.begin(), this->Straight.periodic.end(),
+      [&](const PeriodicSides& pair) { return pair.second == edge.side; });
+    const std::vector<Point> nodes = this->Exact.at({ master.points[0], master.points[1] });
+    std::vector<Point>& images = this->Exact[{ edge.points[0], edge.points[1] }];
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+    {
+      images.push_back(found->motion(*node));
+    }
+    return Reversed(this->OfEdge.at({ master.points[0], master.points[1] }));
+  }
+
+  /// Adds the strip of an edge; `master` is the edge whose image it is, or null.
+  void AddStrip(const StraightEdge& edge, const StraightEdge* master)
   {
     const int start = this->BoundarySideOf(edge);
-    if (edge.curve < 0 || this->Evaluators[Index(edge.curve)].empty())
+    const int curve = master == nullptr ? edge.curve : master->curve;
+    if (curve < 0 || this->Evaluators[Index(curve)].empty())
     {
       return;
     }
     Strip strip;
-    strip.offsets = this->OffsetsOn(edge);
+    strip.offsets = master == nullptr ? this->OffsetsOn(edge) : this->OffsetsOfImage(edge, *master);
+    this->OfEdge[{ edge.points[0], edge.points[1] }] = strip.offsets;
     for (int side = start; side >= 0; side = this->Twins[Index(Opposite(side))])
     {
       this->Passages[Index(side / 4)].push_back({ this->Strips.size(), strip.Length() });
@@ -417,7 +443,8 @@ private:
   std::map<std::array<int, 2>, int> OnBoundary;        ///< Sides on the boundary by their points.
   std::vector<std::vector<CurveEvaluator>> Evaluators; ///< Per curve; none for a line.
   std::vector<Strip> Strips;
-  std::vector<std::vector<Passage>> Passages;             ///< Per quad.
+  std::map<std::array<int, 2>, Offsets> OfEdge; ///< Of boundary edges on curves, by their ends.
+  std::vector<std::vector<Passage>> Passages;   ///< Per quad.
   std::map<std::array<int, 2>, std::vector<Point>> Exact; ///< Nodes on curves, by the edge's ends.
 };
 }

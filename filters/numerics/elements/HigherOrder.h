@@ -1,29 +1,12 @@
 #pragma once
 
-#include "PlaneCurve.h"
 #include "Progress.h"
+#include "StraightQuads.h"
 
-#include <array>
 #include <vector>
 
 namespace crossfield
 {
-/// A boundary edge of StraightQuads, with the domain on its left.
-struct StraightEdge
-{
-  std::array<int, 2> points{};
-  int curve = -1; ///< Index in StraightQuads::curves, −1 if it is straight.
-};
-
-/// Quads with straight edges and the curves of their boundary.
-struct StraightQuads
-{
-  std::vector<Point> points;
-  std::vector<std::array<int, 4>> quads; ///< Counter-clockwise.
-  std::vector<StraightEdge> edges;
-  std::vector<PlaneCurve> curves;
-};
-
 /// Quads of a higher order with Lagrange nodes at equal steps.
 struct CurvedQuads
 {
@@ -49,9 +32,10 @@ struct CurvedQuads
 /// Curves quads (docs/method.md §17.5): the nodes of a boundary edge are on its curve, those inside
 /// a quad follow by transfinite interpolation. Where that leaves det J at one of the (order + 1)² Gauss
 /// points below half of its minimum in the straight quad, the edges opposite to the boundary edge are
-/// curved as well, with a part that decreases linearly over as many rows as are needed.
+/// curved as well, with a part that decreases linearly over as many rows as are needed. Nodes on the
+/// second of two periodic sides are the images of those on the first.
 ///
 /// Throws Error if the order is neither 2 nor 3, an edge has more than two quads, or a boundary edge
-/// belongs to no quad.
+/// belongs to no quad, and as MatchEdges does.
 CurvedQuads RaiseOrder(const StraightQuads& straight, int order, const Progress& progress = {});
 }

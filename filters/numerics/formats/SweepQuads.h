@@ -48,6 +48,6 @@ struct SweptMesh
 ///
 /// Throws Error if a number is out of its range, there are no quads, the quads are not in a plane, have
 /// order 3, or for a rotation have not one z, are on both sides of the axis, touch it in a node of a quad
-/// without an edge on it, or touch it and have order 2. Source: docs/method.md, section 19.
+/// without an edge on it, or touch it and have order 2. Source: docs/method.md, section 20.
 SweptMesh SweepQuads(const ExportMesh& quads, const Sweep& sweep);
 }

@@ -4,6 +4,7 @@
 #include "BandLines.h"
 #include "Index.h"
 #include "LayerRows.h"
+#include "NodePairs.h"
 #include "QuadSymmetry.h"
 
 #include <algorithm>
@@ -324,8 +325,10 @@ std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCur
   Layerer layerer(layered, curves, quads.size);
   layerer.Plan();
   layerer.Divide();
+  FindPairs(layered.mesh);
+  MatchPairs(curves, layered.mesh);
   // Where bands cross, points depend slightly on which is divided first.
-  MakeSymmetric(layered.mesh, curves, domain, quads.smoothing.released);
+  MakeSymmetricAndPeriodic(layered.mesh, curves, domain, quads.smoothing);
   const std::vector<LayerReport> reports = layerer.Measure();
   quads.mesh = std::move(layered.mesh);
   quads.blocks = FindBlocks(quads.mesh, layered.regions);

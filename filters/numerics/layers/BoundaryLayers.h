@@ -22,7 +22,8 @@ void RequireLayers(
 /// are. The blocks are divided along the bands. `domain` is that of the mesh, whose symmetries the
 /// result keeps.
 ///
-/// Throws Error as RequireLayers does, and if the first height of a side is not less than the rows there, or
+/// Throws Error as RequireLayers does, if the first height of a side is not less than the rows there, and if
+/// periodic sides have different numbers of nodes afterwards, or
 /// LackOfRows if too few rows beside it are free of irregular points.
 std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,
   const std::vector<LayerPrescription>& prescriptions, QuadResult& quads);

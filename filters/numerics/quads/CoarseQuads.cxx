@@ -1,6 +1,7 @@
 #include "CoarseQuads.h"
 
 #include "Index.h"
+#include "NodePairs.h"
 #include "QuadEnergy.h"
 
 #include <algorithm>
@@ -147,6 +148,11 @@ CoarseQuads::CoarseQuads(const QuadMesh& fineMesh, const std::vector<QuadLattice
       }
     }
     this->lattices.push_back(std::move(to));
+  }
+  // Blocks beside two periodic sides may keep different points of them.
+  for (const int single : CopyPairs(fineMesh, number, this->mesh))
+  {
+    this->mesh.points[Index(single)].fixed = true;
   }
 }
 

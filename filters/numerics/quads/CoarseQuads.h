@@ -23,7 +23,8 @@ std::vector<QuadLattice> LatticesOf(const QuadMesh& mesh, const QuadBlocks& bloc
 
 /// A coarser mesh of about every second grid line of the blocks, with the points of the finer mesh
 /// (docs/method.md §14.5). Which lines remain depends only on their number, and is symmetric, so
-/// blocks agree on the sides that they share.
+/// blocks agree on the sides that they share. Points of periodic sides of which only one of two images
+/// remains are fixed.
 ///
 /// Displacements are two numbers per point, as in QuadEnergy. They are prolonged from the coarser
 /// to the finer mesh by bilinear interpolation in the lattices, of positions inside and of arc

@@ -72,9 +72,17 @@ QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
       this->Diagonal.segment<2>(FirstUnknown(p)).array() += 4.0 * this->Weights[q] * curvature;
     }
   }
+  this->FindImages(moves);
+  std::vector<bool> isImage(mesh.points.size(), false);
+  for (const Image& image : this->Images)
+  {
+    isImage[Index(image.second)] = true;
+    this->Diagonal.segment<2>(FirstUnknown(image.first)) +=
+      this->Diagonal.segment<2>(FirstUnknown(image.second));
+  }
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
   {
-    if (!moves[Index(p)])
+    if (!moves[Index(p)] || isImage[Index(p)])
     {
       this->Fixed.push_back(p);
       this->Diagonal.segment<2>(FirstUnknown(p)).setOnes();
@@ -83,6 +91,21 @@ QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
     {
       this->OnBoundary.push_back(p);
       this->Diagonal[FirstUnknown(p) + 1] = 1.0;
+    }
+  }
+}
+
+void QuadEnergy::FindImages(const std::vector<bool>& moves)
+{
+  for (const PeriodicPoints& points : this->Mesh.periodic)
+  {
+    const RigidMotion& motion = points.sides.motion;
+    for (const auto& [first, second] : points.pairs)
+    {
+      if (moves[Index(first)] && moves[Index(second)] && first != second)
+      {
+        this->Images.push_back({ first, second, motion, motion.Rotation() });
+      }
     }
   }
 }
@@ -116,6 +139,25 @@ Eigen::VectorXd QuadEnergy::Masked(Eigen::VectorXd moves) const
   return moves;
 }
 
+Eigen::VectorXd QuadEnergy::WithImages(Eigen::VectorXd moves) const
+{
+  for (const Image& image : this->Images)
+  {
+    moves.segment<2>(FirstUnknown(image.second)) << -moves[FirstUnknown(image.first)], 0.0;
+  }
+  return moves;
+}
+
+Eigen::VectorXd QuadEnergy::WithoutImages(Eigen::VectorXd gradient) const
+{
+  for (const Image& image : this->Images)
+  {
+    gradient[FirstUnknown(image.first)] -= gradient[FirstUnknown(image.second)];
+    gradient.segment<2>(FirstUnknown(image.second)).setZero();
+  }
+  return gradient;
+}
+
 void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
 {
   std::vector<CurvePlace> curves;
@@ -134,6 +176,12 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
     point.curve = curves[i];
     point.place = this->Curves.At(point.curve);
   }
+  for (const Image& image : this->Images)
+  {
+    QuadPoint& point = mesh.points[Index(image.second)];
+    point.place = image.motion(mesh.points[Index(image.first)].place);
+    point.curve = this->Curves.Nearest(point.curve.loop, point.place);
+  }
 }
 
 void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
@@ -143,6 +191,11 @@ void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
   {
     this->Positions.segment<2>(FirstUnknown(p)) =
       this->Curves.At({ this->Mesh.points[Index(p)].curve.loop, unknowns[FirstUnknown(p)] });
+  }
+  for (const Image& image : this->Images)
+  {
+    this->Positions.segment<2>(FirstUnknown(image.second)) =
+      image.rotation * this->Positions.segment<2>(FirstUnknown(image.first)) + image.motion.shift;
   }
 }
 
@@ -236,6 +289,11 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
       gradient->segment(begin, count) =
         this->Gradients[0].segment(begin, count) + this->Gradients[1].segment(begin, count);
     });
+  for (const Image& image : this->Images)
+  {
+    gradient->segment<2>(FirstUnknown(image.first)) +=
+      image.rotation.transpose() * gradient->segment<2>(FirstUnknown(image.second));
+  }
   for (const int p : this->OnBoundary)
   {
     const Point inPlane = gradient->segment<2>(FirstUnknown(p));
@@ -264,6 +322,11 @@ void QuadEnergy::HoldOrderOnBoundary()
   {
     isFixed[Index(p)] = true;
   }
+  std::vector<bool> isImage(this->Mesh.points.size(), false);
+  for (const Image& image : this->Images)
+  {
+    isImage[Index(image.second)] = true;
+  }
   this->BoundaryTerms.clear();
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
@@ -272,7 +335,8 @@ void QuadEnergy::HoldOrderOnBoundary()
     const int to = this->Mesh.quads[q][Index((side + 1) % 4)];
     const CurvePlace& start = this->Mesh.points[Index(from)].curve;
     const CurvePlace& end = this->Mesh.points[Index(to)].curve;
-    if (twins[Index(side)] >= 0 || start.loop < 0 || start.loop != end.loop)
+    if (twins[Index(side)] >= 0 || start.loop < 0 || start.loop != end.loop ||
+      isImage[Index(from)] || isImage[Index(to)]) // in order if the other side is
     {
       continue;
     }

@@ -21,7 +21,8 @@ inline Eigen::Index FirstUnknown(int point)
 /// SetPower changes it: the larger p, the more evenly it distributes a deviation that cannot vanish.
 ///
 /// There are two unknowns per point: inside, its position; on the boundary, the length along the
-/// polyline, and 0. Fixed points have unknowns as well, with zero gradient.
+/// polyline, and 0. Fixed points have unknowns as well, with zero gradient, and so have images of
+/// points of periodic sides, which move with these points.
 class QuadEnergy
 {
 public:
@@ -42,6 +43,10 @@ public:
   void Tilt(const Eigen::VectorXd& tilt, const Eigen::VectorXd& origin);
   /// Returns displacements with those of fixed points set to 0.
   Eigen::VectorXd Masked(Eigen::VectorXd moves) const;
+  /// Returns displacements with those of images along the boundary, which lead backwards.
+  Eigen::VectorXd WithImages(Eigen::VectorXd moves) const;
+  /// Applies the transpose of WithImages to a gradient.
+  Eigen::VectorXd WithoutImages(Eigen::VectorXd gradient) const;
   /// Moves the points of a mesh to the given unknowns.
   void Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const;
   /// Returns the energy if all quads are their target rectangles, the minimum possible.
@@ -67,6 +72,17 @@ private:
     double inverseLoop; ///< 1 / (length of the loop); 0 if the edge is longer.
   };
 
+  /// A point whose position is the image of that of another point.
+  struct Image
+  {
+    int first;
+    int second;
+    RigidMotion motion;
+    Eigen::Matrix2d rotation;
+  };
+
+  /// Collects the images, of points that move.
+  void FindImages(const std::vector<bool>& moves);
   /// Returns the energy of the boundary edges, infinite if they are not in order, and adds its
   /// gradient.
   double BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient) const;
@@ -80,8 +96,9 @@ private:
   const double SizePart;
   const std::vector<double> Weights;
   double Power = 1.0;
-  double Ideal = 0.0;          ///< With p = 1.
-  std::vector<int> Fixed;      ///< Fixed points.
+  double Ideal = 0.0;     ///< With p = 1.
+  std::vector<int> Fixed; ///< Fixed points and images.
+  std::vector<Image> Images;
   std::vector<int> OnBoundary; ///< Points that move along the boundary.
   std::vector<BoundaryTerm> BoundaryTerms;
   Eigen::VectorXd Diagonal;

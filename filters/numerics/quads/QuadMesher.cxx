@@ -1,10 +1,14 @@
 #include "QuadMesher.h"
 
+#include "BoundaryOrder.h"
 #include "BoundarySymmetry.h"
 #include "Chords.h"
 #include "Error.h"
 #include "GradedArcs.h"
 #include "MemoryBudget.h"
+#include "MoveInside.h"
+#include "NodePairs.h"
+#include "PeriodicCounts.h"
 #include "PrescribedSides.h"
 #include "QuadBuilder.h"
 #include "QuadSides.h"
@@ -60,7 +64,7 @@ public:
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
     , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
-    , Sums(PrescribedSums(map, this->Curves, options.sides, options.prescribed, result.tMesh))
+    , Sums(SumsOf(map, curves, options, result.tMesh))
   {
   }
 
@@ -95,6 +99,7 @@ public:
       result.size, this->Options.sides);
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
+    this->PairNodes(result.mesh);
     result.layoutSeconds += stopwatch.Lap();
   }
 
@@ -113,8 +118,7 @@ public:
       return;
     }
     result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, progress);
-    result.smoothing.symmetries =
-      MakeSymmetric(result.mesh, this->Curves, this->Domain, result.smoothing.released);
+    MakeSymmetricAndPeriodic(result.mesh, this->Curves, this->Domain, result.smoothing);
     result.smoothSeconds += stopwatch.Lap();
     result.quality = MeasureQuads(result.mesh, result.size);
   }
@@ -155,6 +159,39 @@ private:
   /// Points, quads, lattices, energy, and corrections of four numbers per point: 770 bytes per quad
   /// were measured with a million quads, 930 with uniform sizes.
   static constexpr double BytesPerQuad = 1000.0;
+
+  /// Returns all sums of edge counts that the options prescribe.
+  static std::vector<CountSum> SumsOf(const SeamlessMap& map, const BoundaryCurves& curves,
+    const QuadOptions& options, const TMesh& tMesh)
+  {
+    std::vector<CountSum> sums = PeriodicSums(map, curves, options.sides, options.periodic, tMesh);
+    for (CountSum& sum : PrescribedSums(map, curves, options.sides, options.prescribed, tMesh))
+    {
+      sums.push_back(std::move(sum));
+    }
+    return sums;
+  }
+
+  /// Pairs the nodes of periodic sides and moves them to positions that match.
+  void PairNodes(QuadMesh& mesh) const
+  {
+    if (this->Options.periodic.empty())
+    {
+      return;
+    }
+    for (const PeriodicSides& sides : this->Options.periodic)
+    {
+      mesh.periodic.push_back({ sides, {} });
+    }
+    const std::vector<QuadPoint> before = mesh.points;
+    FindPairs(mesh);
+    MatchPairs(this->Curves, mesh);
+    // A singularity on one of the sides fixes a node of the other one, beside which others may be in
+    // the wrong order.
+    OrderOnBoundary(mesh, this->Curves);
+    MatchPairs(this->Curves, mesh);
+    MoveInside(before, mesh);
+  }
 
   /// Makes the problem for a size.
   QuantisationProblem ProblemFor(double size) const
@@ -341,6 +378,7 @@ QuadResult MakeQuads(
   result.tMesh = std::move(tMesh);
   const BoundaryCurves curves(*map.topology, options.curves);
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
+  SplitAtPeriodic(map, curves, options.sides, options.periodic, result.tMesh);
   Mesher mesher(map, curves, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);

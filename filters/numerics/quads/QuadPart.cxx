@@ -1,6 +1,7 @@
 #include "QuadPart.h"
 
 #include "Index.h"
+#include "NodePairs.h"
 #include "QuadQuality.h"
 
 #include <algorithm>
@@ -9,14 +10,21 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the number of rings of quads between every point and the nearest cone or inverted quad,
-/// at most `rings`.
+/// Returns the number of rings of quads between every point and the nearest cone, periodic side or
+/// inverted quad, at most `rings`.
 std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
 {
   std::vector<int> ringOf(mesh.points.size(), rings);
   for (std::size_t p = 0; p < ringOf.size(); ++p)
   {
     ringOf[p] = mesh.points[p].quarterIndex != 0 ? 0 : rings;
+  }
+  for (const PeriodicPoints& points : mesh.periodic)
+  {
+    for (const auto& [first, second] : points.pairs)
+    {
+      ringOf[Index(first)] = ringOf[Index(second)] = 0;
+    }
   }
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
@@ -68,6 +76,11 @@ QuadPart::QuadPart(const QuadMesh& full, const std::vector<bool>& fullMoves, int
     this->mesh.quads.push_back(quad);
     this->mesh.targetLengths.push_back(full.targetLengths[q]);
   }
+  for (const int single : CopyPairs(full, number, this->mesh))
+  {
+    this->moves[Index(single)] = false;
+  }
+  MovePairsTogether(this->mesh, this->moves);
 }
 
 void QuadPart::CopyPoints(QuadMesh& full) const

@@ -4,8 +4,8 @@
 
 namespace crossfield
 {
-/// A submesh: the quads within some rings around the singularities, irregular corners and inverted
-/// quads of a mesh.
+/// A submesh: the quads within some rings around the singularities, irregular corners, periodic sides
+/// and inverted quads of a mesh.
 struct QuadPart
 {
   QuadMesh mesh;

@@ -1,6 +1,7 @@
 #include "QuadSmoothing.h"
 
 #include "BoundaryOrder.h"
+#include "NodePairs.h"
 #include "QuadDescent.h"
 #include "QuadPart.h"
 #include "QuadQuality.h"
@@ -84,8 +85,8 @@ public:
     return steps;
   }
 
-  /// Smooths some rings around every singularity and every inverted quad until convergence: there
-  /// quads vary most, and a coarser mesh is least accurate.
+  /// Smooths some rings around every singularity, periodic side and inverted quad until convergence:
+  /// there quads vary most, and a coarser mesh is least accurate.
   void SmoothNearCones(QuadMesh& mesh) const
   {
     constexpr int Rings = 12; // six rings of a coarser mesh
@@ -148,6 +149,7 @@ private:
     {
       moves.push_back(!point.fixed || (this->Release && point.curve.loop < 0));
     }
+    MovePairsTogether(mesh, moves);
     return moves;
   }
 
@@ -198,9 +200,10 @@ private:
       return;
     }
     this->Smooth({ coarse.mesh, coarse.weights, coarse.lattices },
-      coarseGradient - coarse.Restrict(this->Curves, gradient), progress);
-    const Eigen::VectorXd displacement =
-      energy.Masked(coarse.Prolong(this->Curves, coarseEnergy.Unknowns() - start));
+      coarseGradient - coarseEnergy.WithoutImages(coarse.Restrict(this->Curves, gradient)),
+      progress);
+    const Eigen::VectorXd displacement = energy.Masked(
+      coarse.Prolong(this->Curves, coarseEnergy.WithImages(coarseEnergy.Unknowns() - start)));
     for (double length = 1.0; length > 0.1; length *= 0.5)
     {
       const Eigen::VectorXd next = unknowns + length * displacement;
@@ -312,12 +315,13 @@ int SmoothUniform(
     CoarseQuads coarse(level.mesh, level.lattices);
     if (coarse.IsSmaller())
     {
-      const Eigen::VectorXd before = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
+      const QuadEnergy energy = released.EnergyOf(coarse.mesh, coarse.weights);
+      const Eigen::VectorXd before = energy.Unknowns();
       SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, curves, sizePart,
         progress.Part(0.0, 0.4));
-      const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
+      const Eigen::VectorXd moves = energy.WithImages(energy.Unknowns() - before);
       const std::vector<QuadPoint> start = level.mesh.points;
-      released.Displace(level, coarse.Interpolate(curves, after - before));
+      released.Displace(level, coarse.Interpolate(curves, moves));
       const int steps = released.Smooth(level, {}, progress.Part(0.4, 1.0));
       released.SmoothNearCones(level.mesh);
       if (RankOf(level.mesh).inverted == 0)
@@ -348,6 +352,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
     // Points that nearly coincide on the boundary would hardly move apart while quads untangle.
     constexpr double Shortest = 0.1;
     OrderOnBoundary(mesh, curves, Shortest);
+    MatchPairs(curves, mesh);
   }
   const std::vector<QuadPoint> ordered = mesh.points;
   const Smoother fixed(curves, false, sizePart.value_or(ConformalSizePart));

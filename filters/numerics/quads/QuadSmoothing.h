@@ -15,6 +15,8 @@ struct SmoothingReport
   bool released = false;  ///< Singularities were free to move.
   double moved = 0.0;     ///< Maximum displacement of a cone if they were.
   int symmetries = 1; ///< Number of symmetries of the domain that the mesh has, with the identity.
+  /// With symmetric positions, the nodes of periodic sides would not match.
+  bool isAsymmetric = false;
 };
 
 /// Smooths a mesh with fixed connectivity (docs/method.md §14.5): minimises QuadEnergy by L-BFGS,

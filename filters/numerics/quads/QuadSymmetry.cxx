@@ -2,6 +2,7 @@
 
 #include "BoundarySymmetry.h"
 #include "Index.h"
+#include "NodePairs.h"
 #include "PointGrid.h"
 
 #include <algorithm>
@@ -289,5 +290,25 @@ int MakeSymmetric(
   const int count = order * (mirror.empty() ? 1 : 2);
   symmetriser.MovePoints(sums, count);
   return count;
+}
+
+void MakeSymmetricAndPeriodic(
+  QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, SmoothingReport& report)
+{
+  const std::vector<QuadPoint> start =
+    mesh.periodic.empty() ? std::vector<QuadPoint>() : mesh.points;
+  report.symmetries = MakeSymmetric(mesh, curves, domain, report.released);
+  if (mesh.periodic.empty() || report.symmetries == 1)
+  {
+    return;
+  }
+  if (LargestMismatch(mesh) > Tolerance * domain.Diagonal())
+  {
+    mesh.points = start;
+    report.symmetries = 1;
+    report.isAsymmetric = true;
+    return;
+  }
+  MatchPairs(curves, mesh);
 }
 }

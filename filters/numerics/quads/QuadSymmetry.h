@@ -1,6 +1,7 @@
 #pragma once
 
 #include "QuadMesh.h"
+#include "QuadSmoothing.h"
 
 #include "PlanarDomain.h"
 
@@ -16,6 +17,11 @@ namespace crossfield
 /// there is none but the identity.
 int MakeSymmetric(
   QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released);
+
+/// Does the same and sets SmoothingReport::symmetries; but if nodes of periodic sides do not match
+/// afterwards, the mesh stays as it is, with `isAsymmetric`. Uses SmoothingReport::released.
+void MakeSymmetricAndPeriodic(QuadMesh& mesh, const BoundaryCurves& curves,
+  const PlanarDomain& domain, SmoothingReport& report);
 
 /// Returns the number of symmetries of the domain that map cones and corners of a mesh to cones and
 /// corners: those that a mesh with suitable edge counts has. `released`: as in MakeSymmetric.

@@ -9,8 +9,7 @@ namespace crossfield
 {
 namespace
 {
-/// Returns a position on the boundary inside the piece that contains the middle of an arc.
-CurvePlace MiddleOf(const SeamlessMap& map, const BoundaryCurves& curves, const TArc& arc)
+CurvePlace FindMiddle(const SeamlessMap& map, const BoundaryCurves& curves, const TArc& arc)
 {
   const ChartPiece& piece = *FindOnArc(arc, 0.5 * arc.length).piece;
   return FindOnBoundary(map, curves, piece, 0.5 * (piece.from + piece.to));
@@ -26,7 +25,8 @@ SideArcs::SideArcs(const SeamlessMap& map, const BoundaryCurves& curves, const B
   {
     if (mesh.arcs[Index(arc)].onBoundary)
     {
-      const CurvePlace middle = MiddleOf(map, curves, mesh.arcs[Index(arc)]);
+      const CurvePlace middle = FindMiddle(map, curves, mesh.arcs[Index(arc)]);
+      this->Middles[arc] = middle;
       this->SideOf[arc] = along.At(Index(middle.loop), middle.at);
       this->From[mesh.halfEdges[Index(2 * arc)].node] = arc;
     }

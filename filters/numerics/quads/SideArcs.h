@@ -24,6 +24,8 @@ public:
   /// Returns the arcs of a side in parts between corners or ends; a closed curve without them is one
   /// part.
   std::vector<std::vector<int>> PartsOf(int side) const;
+  /// Returns the position on the boundary inside the piece that contains the middle of an arc.
+  const CurvePlace& MiddleOf(int arc) const { return this->Middles.at(arc); }
   /// Returns the length of arcs in the plane.
   double LengthOf(const std::vector<int>& arcs) const;
 
@@ -32,7 +34,8 @@ private:
   std::vector<int> Follow(int arc, std::vector<int>& remaining) const;
 
   const TMesh& Mesh;
-  std::map<int, int> SideOf; ///< Per arc on the boundary.
-  std::map<int, int> From;   ///< Boundary arc that starts at a node.
+  std::map<int, CurvePlace> Middles; ///< Per arc on the boundary.
+  std::map<int, int> SideOf;         ///< Per arc on the boundary.
+  std::map<int, int> From;           ///< Boundary arc that starts at a node.
 };
 }

@@ -118,7 +118,7 @@ private:
     return this->IsFeasible(std::move(sums));
   }
 
-  /// Returns the sum of a name that is a single number, or null.
+  /// Returns the sum of a name that is a single positive number, or null.
   const CountSum* NumberOf(const std::string& name) const
   {
     const CountSum* found = nullptr;
@@ -126,7 +126,7 @@ private:
     {
       if (sum.name == name)
       {
-        if (found != nullptr || sum.minimum != sum.maximum)
+        if (found != nullptr || sum.minimum != sum.maximum || sum.minimum <= 0)
         {
           return nullptr;
         }

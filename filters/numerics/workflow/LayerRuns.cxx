@@ -25,7 +25,7 @@ std::optional<QuadWorkflowResult> RunWithoutSingularities(
   {
     return std::nullopt;
   }
-  std::vector<CornerChoice> corners = CornersForLayers(domain, request);
+  std::vector<CornerChoice> corners = CompleteCorners(domain, request);
   if (request.capCorners)
   {
     corners = CapCorners(CountQuarters(domain.loops, 0, DefaultCornerAngle, corners), corners);

@@ -6,6 +6,7 @@
 #include "SizeSearch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -126,10 +127,36 @@ BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request)
   return request.sides.names.empty() ? NameSides(domain) : request.sides;
 }
 
-std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const QuadRequest& request)
+namespace
+{
+/// Returns the ends of periodic sides and their images, if singularities are chosen: given ones suit the
+/// corners as they are.
+std::vector<std::array<Point, 2>> EndsOfPeriodicSides(
+  const PlanarDomain& domain, const QuadRequest& request)
+{
+  std::vector<std::array<Point, 2>> ends;
+  if (request.singularities)
+  {
+    return ends;
+  }
+  const std::vector<LoopArc> loops(domain.loops.begin(), domain.loops.end());
+  for (const PeriodicSides& pair : request.periodic)
+  {
+    const SideSpan first = FindSpan(request.sides, loops, pair.first);
+    const SideSpan second = FindSpan(request.sides, loops, pair.second);
+    const auto at = [&loops](const SideSpan& span, double length)
+    { return loops[static_cast<std::size_t>(span.loop)].At(span.start + length); };
+    ends.push_back({ at(first, 0.0), at(second, second.length) });
+    ends.push_back({ at(first, first.length), at(second, 0.0) });
+  }
+  return ends;
+}
+}
+
+std::vector<CornerChoice> CompleteCorners(const PlanarDomain& domain, const QuadRequest& request)
 {
   std::vector<CornerChoice> corners = request.corners;
-  if (request.layers.empty() && request.cornerRows.empty())
+  if (request.layers.empty() && request.cornerRows.empty() && request.periodic.empty())
   {
     return corners;
   }
@@ -157,7 +184,28 @@ std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const Qua
     }
     corners.push_back(choice);
   }
-  for (const Corner& corner : FindCorners(domain.loops))
+  const std::vector<Corner> found = FindCorners(domain.loops);
+  for (const std::array<Point, 2>& ends : EndsOfPeriodicSides(domain, request))
+  {
+    std::vector<const Corner*> both;
+    for (const Point& end : ends)
+    {
+      for (const Corner& corner : found)
+      {
+        if ((corner.position - end).norm() <= reach && !isChosen(end))
+        {
+          both.push_back(&corner);
+        }
+      }
+    }
+    // Of the neighbours in space, one has the angle of one end and the other that of its image.
+    if (both.size() == 2 && std::lround((both[0]->angle + both[1]->angle) / (0.5 * Pi)) == 2)
+    {
+      corners.push_back({ both[0]->position, 1 });
+      corners.push_back({ both[1]->position, 1 });
+    }
+  }
+  for (const Corner& corner : found)
   {
     const std::vector<std::string> sides = sidesAt(corner);
     if (!isChosen(corner.position) &&

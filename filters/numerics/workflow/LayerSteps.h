@@ -7,9 +7,11 @@ namespace crossfield
 /// Returns the sides of a request; without any, those between corners.
 BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request);
 
-/// Returns the corners of a request, completed by those that its treatments and layers need: at
-/// corners of layered sides without a choice, that of DefaultRows (docs/method.md §16.4).
-std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const QuadRequest& request);
+/// Returns the corners of a request, completed by those that its treatments, periodic sides and layers
+/// need: at two ends of periodic sides that together leave room for two quads, one at each, unless
+/// singularities are given (docs/method.md §19.2); at other corners of layered sides without a choice, that
+/// of DefaultRows (docs/method.md §16.4).
+std::vector<CornerChoice> CompleteCorners(const PlanarDomain& domain, const QuadRequest& request);
 
 /// Returns the factors of a clearance with which chosen singularities leave the bands of the layers
 /// free, for quads of given side lengths at the boundary; none if there are no layers.

@@ -71,7 +71,7 @@ public:
     {
       this->Request.quadCount = CountBeforeLayers(domain, this->Request);
     }
-    this->MapOptions.corners = CornersForLayers(domain, this->Request);
+    this->MapOptions.corners = CompleteCorners(domain, this->Request);
     this->MapOptions.capCorners = this->Request.capCorners;
   }
 
@@ -222,6 +222,11 @@ public:
     this->Result.moved = std::max(moved, nodes.moved);
     this->Result.quads = std::move(meshed.quads);
     this->AddEvents(nodes.events);
+    if (this->Result.quads.smoothing.isAsymmetric)
+    {
+      this->AddEvents({ "The quads have no symmetry, because the nodes of periodic sides would not "
+                        "match then." });
+    }
     this->AddWarnings();
   }
 
@@ -237,6 +242,7 @@ private:
     options.sides = this->Request.sides;
     options.curves = this->Request.curves;
     options.prescribed = this->Request.prescribed;
+    options.periodic = this->Request.periodic;
     if (this->Request.sizing == Sizing::Field)
     {
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);

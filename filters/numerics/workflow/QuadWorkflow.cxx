@@ -4,6 +4,7 @@
 #include "CurveSteps.h"
 #include "LayerRuns.h"
 #include "LayerSteps.h"
+#include "PeriodicSteps.h"
 #include "QuadAdvice.h"
 #include "SideSizes.h"
 
@@ -40,7 +41,7 @@ QuadWorkflowResult MakeQuadMesh(
 {
   const CurvedRequest curved = WithCurves(polygons, requested);
   const PlanarDomain& domain = curved.domain;
-  const QuadRequest& given = curved.request;
+  const QuadRequest given = WithPeriodicSides(domain, curved.request);
   const QuadRequest request = WithSideSizes(domain, given);
   const Progress trial = progress.Part(1.0, 1.0);
   QuadWorkflowResult result;
@@ -52,7 +53,7 @@ QuadWorkflowResult MakeQuadMesh(
   {
     // Its remedy, a finer mesh, was tried.
     std::vector<Point> kept = request.sides.FixedPlaces();
-    for (const CornerChoice& corner : CornersForLayers(domain, request))
+    for (const CornerChoice& corner : CompleteCorners(domain, request))
     {
       kept.push_back(corner.position);
     }
@@ -82,6 +83,7 @@ QuadWorkflowResult MakeQuadMesh(
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
   }
   AddWarnings(given, result);
+  result.periodic = MeasurePeriodic(result.quads.mesh);
   result.boundary = given.curves;
   result.curves = MeasureCurves(polygons, given.curves, result.quads.mesh);
   return result;

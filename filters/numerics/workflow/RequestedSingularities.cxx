@@ -13,7 +13,7 @@ AutomaticConfiguration ChooseSingularities(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
   AutomaticOptions options;
-  options.proposal.corners = CornersForLayers(domain, request);
+  options.proposal.corners = CompleteCorners(domain, request);
   if (request.capCorners)
   {
     CapCorners(domain, options);

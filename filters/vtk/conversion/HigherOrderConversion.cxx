@@ -5,6 +5,7 @@
 #include "DomainConversion.h"
 #include "Error.h"
 #include "InputCheck.h"
+#include "PeriodicConversion.h"
 #include "QuadConversion.h"
 #include "SegmentCurveConversion.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -15,6 +16,7 @@
 #include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -64,6 +66,18 @@ void RequireBoundaryOf(vtkUnstructuredGrid* quads, vtkPolyData* boundary)
       "The inputs are not the quads and the boundary of one mesh; connect the outputs Quads "
       "and Boundary of the same Quad Mesher.");
   }
+}
+
+/** Returns the number of a name in a list, to which it is added if it is new. */
+int NumberOf(const std::string& name, std::vector<std::string>& all)
+{
+  const auto found = std::find(all.begin(), all.end(), name);
+  const auto number = static_cast<int>(found - all.begin());
+  if (found == all.end())
+  {
+    all.push_back(name);
+  }
+  return number;
 }
 
 /** A new point: the points that it is between, with weights. */
@@ -200,6 +214,7 @@ void Join(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredGrid
   RequireBoundaryOf(quads, boundary);
   QuadConversion::Combine(quads, boundary, mesh);
   SegmentCurveConversion::CopyCurves(boundary, mesh);
+  PeriodicConversion::Copy(boundary->GetFieldData(), mesh->GetFieldData());
 }
 
 //------------------------------------------------------------------------------
@@ -212,6 +227,8 @@ Quads ReadQuads(vtkUnstructuredGrid* mesh)
   {
     result.straight.points.push_back(result.plane.ToPlane(Eigen::Vector3d(mesh->GetPoint(i))));
   }
+  auto* sides = vtkStringArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(names::Side));
+  std::vector<std::string> sideNames;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
@@ -226,7 +243,8 @@ Quads ReadQuads(vtkUnstructuredGrid* mesh)
     else if (type == VTK_LINE)
     {
       const int curve = curves.ofCell.empty() ? -1 : curves.ofCell[static_cast<std::size_t>(cell)];
-      result.straight.edges.push_back({ { id(0), id(1) }, curve });
+      const int side = sides == nullptr ? -1 : NumberOf(sides->GetValue(cell), sideNames);
+      result.straight.edges.push_back({ { id(0), id(1) }, curve, side });
       result.edgeCells.push_back(cell);
     }
     else
@@ -246,6 +264,8 @@ Quads ReadQuads(vtkUnstructuredGrid* mesh)
       "of the Quad Mesher as Boundary.");
   }
   result.straight.curves = std::move(curves.curves);
+  result.straight.periodic =
+    PeriodicConversion::ReadInPlane(mesh->GetFieldData(), sideNames, result.plane);
   return result;
 }
 

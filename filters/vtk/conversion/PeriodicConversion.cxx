@@ -1,5 +1,7 @@
 #include "PeriodicConversion.h"
 
+#include "ColumnWriting.h"
+#include "EntryText.h"
 #include "Error.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -7,9 +9,38 @@
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 
 namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+using crossfield::PeriodicReport;
+
+/** Returns a motion of a plane as one of space that leaves the normal of the plane as it is. */
+Eigen::Matrix4d InSpace(const crossfield::RigidMotion& motion, const crossfield::DomainPlane& plane)
+{
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.topRightCorner<3, 1>() = plane.DirectionToSpace(motion.shift);
+  if (motion.angle != 0.0)
+  {
+    Eigen::Matrix3d axes;
+    axes.col(0) = plane.DirectionToSpace(crossfield::Point::UnitX());
+    axes.col(1) = plane.DirectionToSpace(crossfield::Point::UnitY());
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+    Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+    turned.topLeftCorner<2, 2>() = motion.Rotation();
+    const Eigen::Matrix3d rotation = axes * turned * axes.transpose();
+    const Eigen::Vector3d origin = plane.ToSpace(crossfield::Point::Zero());
+    matrix.topLeftCorner<3, 3>() = rotation;
+    matrix.topRightCorner<3, 1>() += origin - rotation * origin;
+  }
+  return matrix;
+}
+}
 
 namespace PeriodicConversion
 {
@@ -54,5 +85,121 @@ std::vector<crossfield::PeriodicPair> Read(
     pairs.push_back(one);
   }
   return pairs;
+}
+
+//------------------------------------------------------------------------------
+std::vector<crossfield::PeriodicSides> ReadInPlane(vtkFieldData* data,
+  const std::vector<std::string>& sideNames, const crossfield::DomainPlane& plane)
+{
+  std::vector<crossfield::PeriodicSides> sides;
+  for (const crossfield::PeriodicPair& pair : Read(data, sideNames))
+  {
+    const Eigen::Affine3d motion(pair.motion);
+    const auto image = [&](const crossfield::Point& point)
+    { return plane.ToPlane(motion * plane.ToSpace(point)); };
+    const crossfield::Point origin = image(crossfield::Point::Zero());
+    const crossfield::Point along = image(crossfield::Point::UnitX()) - origin;
+    sides.push_back({ pair.first, pair.second, { std::atan2(along.y(), along.x()), origin } });
+  }
+  return sides;
+}
+
+//------------------------------------------------------------------------------
+std::vector<crossfield::PeriodicNames> ReadNames(const std::string& text)
+{
+  std::vector<crossfield::PeriodicNames> pairs;
+  for (const std::string& entry : EntryText::Split(text, ';'))
+  {
+    if (entry.empty())
+    {
+      continue;
+    }
+    const auto [first, second] = EntryText::Divide(entry, "periodic pair", "A:B");
+    if (second.empty())
+    {
+      throw crossfield::Error(
+        "The periodic pair '" + entry + "' has no second name; give A:B with two sides.");
+    }
+    pairs.push_back({ first, second });
+  }
+  return pairs;
+}
+
+//------------------------------------------------------------------------------
+void Write(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
+  vtkFieldData* data)
+{
+  data->RemoveArray(names::PeriodicSides);
+  data->RemoveArray(names::PeriodicMotion);
+  if (result.periodic.empty())
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> sides;
+  sides->SetName(names::PeriodicSides);
+  sides->SetNumberOfComponents(2);
+  const auto pairs = static_cast<vtkIdType>(result.periodic.size());
+  auto motions = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicMotion, 16, pairs);
+  for (vtkIdType i = 0; i < pairs; ++i)
+  {
+    const crossfield::PeriodicSides& pair = result.periodic[static_cast<std::size_t>(i)].sides;
+    for (const int side : { pair.first, pair.second })
+    {
+      sides->InsertNextValue(result.quads.mesh.sideNames[static_cast<std::size_t>(side)]);
+    }
+    const Eigen::Matrix4d matrix = InSpace(pair.motion, plane);
+    for (int k = 0; k < 16; ++k)
+    {
+      motions->SetComponent(i, k, matrix(k / 4, k % 4));
+    }
+  }
+  data->AddArray(sides);
+}
+
+//------------------------------------------------------------------------------
+void WriteReport(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
+  vtkFieldData* data)
+{
+  Write(result, plane, data);
+  if (result.periodic.empty())
+  {
+    return;
+  }
+  const auto isRotation = [](const PeriodicReport& pair) { return pair.sides.motion.angle != 0.0; };
+  ColumnWriting::AddColumn<vtkStringArray>(data, names::PeriodicKind, result.periodic,
+    [&](const PeriodicReport& pair) { return isRotation(pair) ? "rotation" : "translation"; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::PeriodicAngle, result.periodic,
+    [](const PeriodicReport& pair) { return pair.sides.motion.angle; });
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::PeriodicEdges, result.periodic,
+    [](const PeriodicReport& pair) { return pair.edges; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::PeriodicMismatch, result.periodic,
+    [](const PeriodicReport& pair) { return pair.mismatch; });
+  const auto pairs = static_cast<vtkIdType>(result.periodic.size());
+  auto vectors = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicVector, 3, pairs);
+  auto centres = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicCentre, 3, pairs);
+  for (vtkIdType i = 0; i < pairs; ++i)
+  {
+    const PeriodicReport& pair = result.periodic[static_cast<std::size_t>(i)];
+    if (isRotation(pair))
+    {
+      centres->SetTuple(i, plane.ToSpace(pair.sides.motion.Centre()).data());
+    }
+    else
+    {
+      vectors->SetTuple(i, plane.DirectionToSpace(pair.sides.motion.shift).data());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Copy(vtkFieldData* from, vtkFieldData* to)
+{
+  for (const char* name : { names::PeriodicSides, names::PeriodicMotion })
+  {
+    if (vtkAbstractArray* array = from->GetAbstractArray(name))
+    {
+      to->AddArray(array);
+    }
+  }
 }
 }

@@ -1,7 +1,9 @@
 #ifndef PeriodicConversion_h
 #define PeriodicConversion_h
 
+#include "DomainPlane.h"
 #include "ExportMesh.h"
+#include "QuadRequest.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +23,28 @@ namespace PeriodicConversion
  */
 std::vector<crossfield::PeriodicPair> Read(
   vtkFieldData* data, const std::vector<std::string>& sideNames);
+
+/** Reads the same as motions of a plane. Throws crossfield::Error as Read does. */
+std::vector<crossfield::PeriodicSides> ReadInPlane(vtkFieldData* data,
+  const std::vector<std::string>& sideNames, const crossfield::DomainPlane& plane);
+
+/** Reads pairs A:B, separated by semicolons; the last colon of a pair divides it. */
+std::vector<crossfield::PeriodicNames> ReadNames(const std::string& text);
+
+/** Adds both arrays, and removes those of another mesh. */
+void Write(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
+  vtkFieldData* data);
+
+/**
+ * Adds both arrays and, one tuple for each pair, `PeriodicKind` (translation or rotation), `PeriodicVector`
+ * (3, 0 for a rotation), `PeriodicCentre` (3) and `PeriodicAngle` (radians, 0 for a translation), `PeriodicEdges` and
+ * `PeriodicMismatch`.
+ */
+void WriteReport(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
+  vtkFieldData* data);
+
+/** Copies both arrays. */
+void Copy(vtkFieldData* from, vtkFieldData* to);
 }
 
 #endif

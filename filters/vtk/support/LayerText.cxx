@@ -1,5 +1,6 @@
 #include "LayerText.h"
 
+#include "EntryText.h"
 #include "Error.h"
 
 #include <cmath>
@@ -10,21 +11,6 @@
 
 namespace
 {
-/** Returns the parts of a text between separators, without blanks around them. */
-std::vector<std::string> Split(const std::string& text, char separator)
-{
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  std::string part;
-  while (std::getline(stream, part, separator))
-  {
-    const std::size_t first = part.find_first_not_of(" \t\n");
-    const std::size_t last = part.find_last_not_of(" \t\n");
-    parts.push_back(first == std::string::npos ? "" : part.substr(first, last - first + 1));
-  }
-  return parts;
-}
-
 /** Returns the number that a text consists of, or nothing. */
 std::optional<double> ReadNumber(const std::string& text)
 {
@@ -39,7 +25,7 @@ std::optional<double> ReadNumber(const std::string& text)
 std::optional<std::vector<double>> ReadNumbers(const std::string& text, char separator)
 {
   std::vector<double> numbers;
-  for (const std::string& part : Split(text, separator))
+  for (const std::string& part : EntryText::Split(text, separator))
   {
     const std::optional<double> number = ReadNumber(part);
     if (!number)
@@ -50,19 +36,6 @@ std::optional<std::vector<double>> ReadNumbers(const std::string& text, char sep
   }
   return numbers;
 }
-
-/** Divides an entry at its last colon. Throws crossfield::Error if there is none. */
-std::pair<std::string, std::string> SplitEntry(
-  const std::string& entry, const std::string& what, const std::string& form)
-{
-  const std::size_t colon = entry.rfind(':');
-  if (colon == std::string::npos || colon == 0)
-  {
-    throw crossfield::Error(
-      "The " + what + " '" + entry + "' has no colon after a name; give " + form + ".");
-  }
-  return { entry.substr(0, colon), entry.substr(colon + 1) };
-}
 }
 
 namespace LayerText
@@ -72,13 +45,13 @@ std::vector<crossfield::LayerPrescription> ReadLayers(const std::string& text)
 {
   const std::string form = "NAME:FIRST, NAME:FIRST,GROWTH or NAME:FIRST,GROWTH,ROWS";
   std::vector<crossfield::LayerPrescription> layers;
-  for (const std::string& entry : Split(text, ';'))
+  for (const std::string& entry : EntryText::Split(text, ';'))
   {
     if (entry.empty())
     {
       continue;
     }
-    const auto [name, values] = SplitEntry(entry, "layer", form);
+    const auto [name, values] = EntryText::Divide(entry, "layer", form);
     const std::optional<std::vector<double>> numbers = ReadNumbers(values, ',');
     if (!numbers || numbers->empty() || numbers->size() > 3)
     {
@@ -115,13 +88,13 @@ std::vector<crossfield::CornerRule> ReadCornerRows(
   };
   const std::string form = "X,Y:WORD, ANGLE-ANGLE:WORD or NAME:WORD with end, turn or leave";
   std::vector<crossfield::CornerRule> rules;
-  for (const std::string& entry : Split(text, ';'))
+  for (const std::string& entry : EntryText::Split(text, ';'))
   {
     if (entry.empty())
     {
       continue;
     }
-    const auto [place, word] = SplitEntry(entry, "corner", form);
+    const auto [place, word] = EntryText::Divide(entry, "corner", form);
     const auto found = words.find(word);
     if (found == words.end())
     {

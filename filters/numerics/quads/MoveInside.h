@@ -1,0 +1,10 @@
+#pragma once
+
+#include "QuadMesh.h"
+
+namespace crossfield
+{
+/// Moves the points inside along with points of the boundary that were moved: displacements are
+/// harmonic on the graph of edges, so that quads stay positive where they can.
+void MoveInside(const std::vector<QuadPoint>& before, QuadMesh& mesh);
+}

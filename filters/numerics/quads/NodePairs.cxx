@@ -1,0 +1,144 @@
+#include "NodePairs.h"
+
+#include "Error.h"
+#include "Index.h"
+#include "QuadSides.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// Distance up to which two points are the same end of periodic sides, relative to their loop: ten
+/// times that of the sides.
+constexpr double SamePlace = 10.0 * PeriodicReach;
+
+/// Moves a point along the boundary to the position halfway to the one nearest to `place`.
+void MoveHalfway(const BoundaryCurves& curves, const Point& place, QuadPoint& point)
+{
+  const double loop = curves.Length(point.curve.loop);
+  const double length = curves.Nearest(point.curve.loop, place).at - point.curve.at;
+  point.curve.at += 0.5 * (length - loop * std::round(length / loop));
+  point.place = curves.At(point.curve);
+}
+
+void MatchPair(
+  const BoundaryCurves& curves, const RigidMotion& motion, QuadPoint& first, QuadPoint& second)
+{
+  const double distance = (motion(first.place) - second.place).norm();
+  const bool isNear = distance <= SamePlace * curves.Length(first.curve.loop);
+  if (second.fixed && !first.fixed)
+  {
+    first.place = motion.Inverse()(second.place);
+    first.curve = curves.Nearest(first.curve.loop, first.place);
+  }
+  else if (first.fixed == second.fixed && !isNear)
+  {
+    MoveHalfway(curves, motion.Inverse()(second.place), first);
+  }
+  first.fixed = second.fixed = first.fixed || second.fixed;
+  second.place = motion(first.place);
+  second.curve = curves.Nearest(second.curve.loop, second.place);
+}
+}
+
+void FindPairs(QuadMesh& mesh)
+{
+  for (PeriodicPoints& points : mesh.periodic)
+  {
+    const std::vector<int> first = PiecesOf(mesh, points.sides.first).front();
+    const std::vector<int> second = PiecesOf(mesh, points.sides.second).front();
+    if (first.size() != second.size())
+    {
+      throw Error("With the layers, the periodic sides '" +
+        mesh.sideNames[Index(points.sides.first)] + "' and '" +
+        mesh.sideNames[Index(points.sides.second)] + "' have " + std::to_string(first.size() - 1) +
+        " and " + std::to_string(second.size() - 1) +
+        " edges; give equal numbers of rows to the layers that end on them, or leave the pair out.");
+    }
+    points.pairs.clear();
+    for (std::size_t i = 0; i < first.size(); ++i)
+    {
+      points.pairs.push_back({ first[i], second[second.size() - 1 - i] });
+    }
+  }
+}
+
+void MatchPairs(const BoundaryCurves& curves, QuadMesh& mesh)
+{
+  // Twice, because a corner may belong to two pairs.
+  for (int round = 0; round < 2; ++round)
+  {
+    for (const PeriodicPoints& points : mesh.periodic)
+    {
+      for (const auto& [first, second] : points.pairs)
+      {
+        if (first != second)
+        {
+          MatchPair(
+            curves, points.sides.motion, mesh.points[Index(first)], mesh.points[Index(second)]);
+        }
+      }
+    }
+  }
+}
+
+double LargestMismatch(const PeriodicPoints& points, const QuadMesh& mesh)
+{
+  double largest = 0.0;
+  for (const auto& [first, second] : points.pairs)
+  {
+    const Point image = points.sides.motion(mesh.points[Index(first)].place);
+    largest = std::max(largest, (image - mesh.points[Index(second)].place).norm());
+  }
+  return largest;
+}
+
+double LargestMismatch(const QuadMesh& mesh)
+{
+  double largest = 0.0;
+  for (const PeriodicPoints& points : mesh.periodic)
+  {
+    largest = std::max(largest, LargestMismatch(points, mesh));
+  }
+  return largest;
+}
+
+void MovePairsTogether(const QuadMesh& mesh, std::vector<bool>& moves)
+{
+  for (const PeriodicPoints& points : mesh.periodic)
+  {
+    for (const auto& [first, second] : points.pairs)
+    {
+      moves[Index(first)] = moves[Index(second)] = moves[Index(first)] && moves[Index(second)];
+    }
+  }
+}
+
+std::vector<int> CopyPairs(const QuadMesh& mesh, const std::vector<int>& number, QuadMesh& part)
+{
+  std::vector<int> singles;
+  for (const PeriodicPoints& points : mesh.periodic)
+  {
+    PeriodicPoints copied;
+    copied.sides = points.sides;
+    for (const auto& [first, second] : points.pairs)
+    {
+      const int a = number[Index(first)];
+      const int b = number[Index(second)];
+      if (a >= 0 && b >= 0)
+      {
+        copied.pairs.push_back({ a, b });
+      }
+      else if (a >= 0 || b >= 0)
+      {
+        singles.push_back(std::max(a, b));
+      }
+    }
+    part.periodic.push_back(std::move(copied));
+  }
+  return singles;
+}
+}
