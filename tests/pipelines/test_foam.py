@@ -38,8 +38,9 @@ class Foam(ProgramTest):
         case = self.folder / case
         (case / "system/controlDict").write_text(HEADER % "controlDict" + "application checkMesh; startFrom startTime; startTime 0; "
                                                  "stopAt endTime; endTime 1; deltaT 1; writeInterval 1;\n")
-        for name in ("fvSchemes", "fvSolution"):
-            (case / "system" / name).write_text(HEADER % name)
+        schemes = "ddtSchemes {} gradSchemes {} divSchemes {} laplacianSchemes {} interpolationSchemes {} snGradSchemes {}\n"
+        (case / "system/fvSchemes").write_text(HEADER % "fvSchemes" + schemes)
+        (case / "system/fvSolution").write_text(HEADER % "fvSolution")
         environment = {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
         result = subprocess.run([program, "-case", case], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
         self.assertEqual(result.returncode, 0, result.stdout)
@@ -100,7 +101,7 @@ class Foam(ProgramTest):
     @unittest.skipUnless(HAS_FOAM, "OpenFOAM is not installed")
     def test_blockmesh_makes_as_many_cells_and_the_same_patches(self):
         for number, (domain, *arguments) in enumerate((("plate.vtp", "--curve", "hole:circle"), ("builtin:ring",), ("plain.vtp", "--extrude", "1,2"),
-                                                       ("plate.vtp", "--layers", "hole:5e-3"))):
+                                                       ("plate.vtp", "--layers", "hole:5e-3,1.4"))):
             self.quads(domain, f"{number}/", *arguments)
             case = self.folder / f"{number}"
             patches, cells = read_patches(case), self.expect_valid(f"{number}")

@@ -226,8 +226,8 @@ private:
   const FaceBuckets& Buckets;
   const std::vector<int>& Partners;
   SideFaces Sides; ///< Those of periodic sides in the order of their partners.
-  std::vector<std::vector<int>> Corners; ///< Per face of a cell, positions of its corners.
-  std::vector<int> Number;               ///< Per point of the mesh, that of OpenFOAM.
+  std::vector<std::vector<int>> Corners;  ///< Per face of a cell, positions of its corners.
+  std::vector<int> Number;                ///< Per point of the mesh, that of OpenFOAM.
   std::map<std::size_t, int> FirstCorner; ///< Per face of a cyclic patch, its first node.
   std::vector<int> Nodes;                 ///< Of a face.
   FoamMesh& Result;

@@ -47,7 +47,8 @@ SideFaces FindIn(
     }
   }
   return result;
-}}
+}
+}
 
 SideFaces FindSideFaces(const ExportMesh& mesh)
 {
