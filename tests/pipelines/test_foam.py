@@ -9,7 +9,7 @@ import sys
 import unittest
 
 from program import PROGRAM, ProgramTest
-from test_sides import RECTANGLE, circle, write_domain
+from test_sides import RECTANGLE, circle, passage, write_domain
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HEADER = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
@@ -97,6 +97,15 @@ class Foam(ProgramTest):
             if "--revolve" in arguments and layers == 1:
                 self.assertEqual((kinds["back"], kinds["front"]), ("wedge", "wedge"))
             self.assertEqual("frontAndBack" in kinds, layers == 1 and "--revolve" not in arguments)
+
+    @unittest.skipUnless(HAS_FOAM, "OpenFOAM is not installed")
+    def test_periodic_sides_are_cyclic(self):
+        for number, angle in enumerate((0.0, 0.7)):  # a translation and a rotation
+            write_domain(self.folder / "passage.vtp", [passage(angle=angle)])
+            self.quads("passage.vtp", f"{number}/", "--periodic", "low:high")
+            patches = read_patches(self.folder / f"{number}")
+            self.assertEqual(patches["low"], ("cyclic", patches["high"][1]))
+            self.expect_valid(f"{number}")
 
     @unittest.skipUnless(HAS_FOAM, "OpenFOAM is not installed")
     def test_blockmesh_makes_as_many_cells_and_the_same_patches(self):
