@@ -123,7 +123,9 @@ void vtkQuadMeshWriter::WriteData()
       }
       if (!this->WriteToOutputString)
       {
-        TextFile::Write(this->OutputFiles);
+        const bool isCase =
+          crossfield::MeshFormatOf(this->FileName) == crossfield::MeshFormat::Foam;
+        TextFile::Write(this->OutputFiles, isCase);
         this->OutputFiles.clear();
       }
     });

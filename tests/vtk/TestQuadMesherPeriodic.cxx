@@ -159,7 +159,7 @@ TEST_F(QuadMesherPeriodic, MotionsAreThoseOfSpaceInAnyPlane)
     writer->SetFileName("a.msh");
     writer->WriteToOutputStringOn();
     ASSERT_EQ(writer->Write(), 1);
-    EXPECT_NE(writer->GetOutputString().find("$Periodic\n1\n1 "), std::string::npos);
+    EXPECT_NE(writer->GetOutputFiles().at(0).second.find("$Periodic\n1\n1 "), std::string::npos);
   }
 }
 

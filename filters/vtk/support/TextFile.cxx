@@ -60,14 +60,17 @@ bool WritePart(const Target& target, const std::string& text)
 namespace TextFile
 {
 //------------------------------------------------------------------------------
-void Write(const std::vector<std::pair<std::string, std::string>>& files)
+void Write(const std::vector<std::pair<std::string, std::string>>& files, bool makeFolders)
 {
   std::string failed;
   std::vector<Target> targets;
   std::vector<fs::path> made;
   for (const auto& [file, text] : files)
   {
-    MakeFolder(file, made);
+    if (makeFolders)
+    {
+      MakeFolder(file, made);
+    }
     targets.push_back(TargetOf(file));
     if (failed.empty() && !WritePart(targets.back(), text))
     {

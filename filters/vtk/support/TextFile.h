@@ -8,10 +8,10 @@
 namespace TextFile
 {
 /**
- * Writes files, given by names and contents, and makes their folders, or leaves the old ones: all are first written to second files in
- * the same folders. Throws crossfield::Error.
+ * Writes files, given by names and contents, or leaves the old ones: all are first written to second files in
+ * the same folders. With `makeFolders` these are made if they are missing. Throws crossfield::Error.
  */
-void Write(const std::vector<std::pair<std::string, std::string>>& files);
+void Write(const std::vector<std::pair<std::string, std::string>>& files, bool makeFolders = false);
 }
 
 #endif
