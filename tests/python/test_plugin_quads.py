@@ -52,6 +52,21 @@ def test_periodic_sides():
             check("$Periodic\n1\n" in text.read(), "periodic sides in the file")
 
 
+def test_extruded_quads():
+    mesher = QuadMesher(Input=PlanarDomainSource(), QuadCount=100)
+    solid = ExtrudeQuads(Input=mesher, Boundary=OutputPort(mesher, 5), Height=0.5, Layers=3)
+    quads = fetch(mesher).GetNumberOfCells()
+    check_equal(value(fetch(solid), "Hexahedra"), 3 * quads, "hexahedra")
+    check_equal(servermanager.Fetch(solid, idx=1).GetNumberOfBlocks(),
+                servermanager.Fetch(mesher, idx=1).GetNumberOfBlocks(), "blocks")
+    with tempfile.TemporaryDirectory() as folder:
+        SaveData(os.path.join(folder, "a.msh"), proxy=solid)
+        with open(os.path.join(folder, "a.msh"), encoding="utf-8") as file:
+            text = file.read()
+        check('"back"' in text and '"front"' in text, "the sides at the ends")
+        check(' "domain"' in text, "the region")
+
+
 def test_layout_designer():
     designer = LayoutDesigner(Input=PlanarDomainSource())
     lines = fetch(designer)
@@ -232,6 +247,6 @@ def test_quad_mesher_outputs():
         check(math.dist(given.GetPoint(i), quads.GetPoint(i)) < 1e-9, "point %d is elsewhere" % i)
 
 
-run_tests(test_h_field, test_save_data_for_solvers, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
+run_tests(test_h_field, test_save_data_for_solvers, test_extruded_quads, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
           test_energies, test_size_arrays, test_quad_mesher_for_a_first_user,
           test_sides, test_quad_mesher_outputs)

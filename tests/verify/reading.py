@@ -1,7 +1,7 @@
 """Reads a .vtu into numpy arrays. VTK is used for this only."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_QUAD, VTK_TRIANGLE
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TRIANGLE, VTK_WEDGE
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from report import Unverifiable
@@ -21,7 +21,7 @@ class Data:
     """Points in space, triangles, lines and quads, and the arrays on all of them.
 
     `cells` has for each name a pair of arrays, for the rows of `triangles` and of `lines`;
-    `quad_cells` has one array for the rows of `quads`.
+    `quad_cells` has one array for the rows of `quads`, `solid_cells` one for the hexahedra and prisms in `solids`.
     """
 
     def __init__(self, name):
@@ -39,6 +39,8 @@ class Data:
         self.quads = np.zeros((0, 4), int)
         self.only_triangles_and_lines = True
         self.only_known_cells = True
+        self.solids = []
+        self.only_known_solids = True
         chosen = [np.zeros(0, int)] * 3
         if grid.GetNumberOfCells() > 0:
             types = vtk_to_numpy(grid.GetCellTypesArray())
@@ -50,6 +52,10 @@ class Data:
             self.triangles = ids[ends[chosen[0]][:, None] + np.arange(3)]
             self.lines = ids[ends[chosen[1]][:, None] + np.arange(2)]
             self.quads = ids[ends[chosen[2]][:, None] + np.arange(4)]
+            solid = np.flatnonzero((types == VTK_HEXAHEDRON) | (types == VTK_WEDGE))
+            self.solids = [ids[ends[i]:ends[i + 1]] for i in solid]
+            self.only_known_solids = len(solid) + len(chosen[0]) + len(chosen[2]) == len(types)
+            self.solid_cells = {name: array[solid] for name, array in arrays_of(grid.GetCellData()).items()}
         on_cells = arrays_of(grid.GetCellData())
         self.cells = {name: (array[chosen[0]], array[chosen[1]]) for name, array in on_cells.items()}
         self.quad_cells = {name: array[chosen[2]] for name, array in on_cells.items()}

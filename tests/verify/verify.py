@@ -24,6 +24,7 @@ import indices as winding
 import lines
 import quads
 import singularities as singular
+import solids
 import stationarity
 import unit_norm
 from crouzeix_raviart import energies as gradient_energies
@@ -43,6 +44,10 @@ def verify(name):
             report.kind = "seamless map"
             seamless_map.check_map(data, report)
             lines.check_beside(name, data, report)
+            return report
+        if len(data.solids) > 0:
+            report.kind = "swept quads"
+            solids.check_solids(data, report)
             return report
         if len(data.quads) > 0 and "BlockId" in data.quad_cells:
             report.kind = "quad mesh"
