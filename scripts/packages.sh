@@ -48,7 +48,7 @@ if [[ $tests == yes ]]; then
     # Rules.Format needs this version of clang-format.
     clang-format-14 libbenchmark-dev libgtest-dev
     # Readers of the files for solvers.
-    calculix-ccx cgns-convert gmsh python3-meshio
+    calculix-ccx cgns-convert gmsh openfoam python3-meshio
     # For parameter studies, which run with mpirun.
     openmpi-bin python3-mpi4py
   )
