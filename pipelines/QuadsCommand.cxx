@@ -219,9 +219,8 @@ int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable(
-    { { options.output, ".vtu .msh .inp .su2 .cgns .xyz .ex2 .exo .e .case .vtk .foam /" },
-      { options.blocks, ".vtm" }, { options.layout, ".vtp" }, { options.json, "" },
-      { options.savedSingularities, ".csv" } });
+    { { options.output, ".vtu " + vtkQuadMeshWriter::GetEndings() }, { options.blocks, ".vtm" },
+      { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
   OutputFile::RequireOrder(options.output, options.order);
 
   // 2. Read the domain and the configuration.

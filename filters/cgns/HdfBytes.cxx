@@ -134,7 +134,7 @@ private:
     return std::string_view(this->Bytes).substr(chunk.begin, chunk.end - chunk.begin);
   }
 
-  /** Returns a number of 1, 2, 4 or 8 bytes, of which the upper four are 0 in files below 4 GB. */
+  /** Returns a number of 1, 2, 4 or 8 bytes; in files below 4 GB the upper half of 8 bytes is 0. */
   std::uint32_t At(std::size_t at, std::size_t width) const
   {
     const std::string_view bytes = this->Bytes;

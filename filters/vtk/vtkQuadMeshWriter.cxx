@@ -67,20 +67,19 @@ vtkQuadMeshWriter::vtkQuadMeshWriter()
 //------------------------------------------------------------------------------
 int vtkQuadMeshWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-    return 1;
-  }
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
+  return port == 0 ? FilterPorts::AcceptMesh(info) : FilterPorts::AcceptOptionalBoundary(info);
 }
 
 //------------------------------------------------------------------------------
 bool vtkQuadMeshWriter::CanWrite(const std::string& fileName)
 {
   return crossfield::MeshFormatOf(fileName) != MeshFormat::None;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkQuadMeshWriter::GetEndings()
+{
+  return crossfield::MeshEndings();
 }
 
 //------------------------------------------------------------------------------

@@ -94,6 +94,9 @@ public:
   /** Returns whether the ending of a file is that of a format. */
   static bool CanWrite(const std::string& fileName);
 
+  /** Returns the endings of all formats, separated by blanks, and / for the folder of a case. */
+  static std::string GetEndings();
+
   /** Returns why a file of this name cannot have quads of an order, or an empty text if it can. */
   static std::string ReasonAgainst(const std::string& fileName, int order);
 

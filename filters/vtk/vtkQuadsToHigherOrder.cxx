@@ -24,13 +24,7 @@ vtkQuadsToHigherOrder::vtkQuadsToHigherOrder()
 //------------------------------------------------------------------------------
 int vtkQuadsToHigherOrder::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    return FilterPorts::AcceptMesh(info);
-  }
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
+  return port == 0 ? FilterPorts::AcceptMesh(info) : FilterPorts::AcceptOptionalBoundary(info);
 }
 
 //------------------------------------------------------------------------------

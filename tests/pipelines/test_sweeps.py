@@ -43,6 +43,28 @@ class Sweeps(ProgramTest):
     def quads(self, domain, file, *arguments):
         return json.loads(self.succeed("quads", domain, "-o", file, "--quads", "60", "--json", "-", *arguments))
 
+    def stresses(self, mesh, supports, loads):
+        """Returns the stresses that CalculiX finds, six at each integration point, those along the axes first."""
+        (self.folder / "a.inp").write_text(mesh + """*MATERIAL, NAME=m
+*ELASTIC
+1000, 0.3
+*SOLID SECTION, ELSET=domain, MATERIAL=m
+*BOUNDARY
+%s
+*STEP
+*STATIC
+*DLOAD
+%s
+*EL PRINT, ELSET=domain
+S
+*END STEP
+""" % ("\n".join(supports), "\n".join(loads)))
+        subprocess.run(["ccx", "a"], cwd=self.folder, check=True, capture_output=True)
+        found = [tuple(map(float, row.split()[2:8])) for row in (self.folder / "a.dat").read_text().splitlines()
+                 if re.match(r" +\d+ +\d+ ", row)]
+        self.assertGreater(len(found), 400)
+        return found
+
     @unittest.skipUnless(meshio, "meshio is not installed")
     def test_extruded_and_revolved_meshes_have_their_volume(self):
         area = 6 - 12 * 0.16 * math.sin(math.pi / 12)
@@ -74,31 +96,12 @@ class Sweeps(ProgramTest):
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_stretches_solids(self):
-        """Patch test: uniform tension on hexahedra of order 1 and 2, and on a quarter of a ring with prisms."""
-        for arguments, section in ((("--extrude", "0.5,2"), 3 * 0.5), (("--extrude", "0.5,2", "--order", "2"), 3 * 0.5)):
+        """Patch test: uniform tension on hexahedra of order 1 and 2."""
+        for arguments in (("--extrude", "0.5,2"), ("--extrude", "0.5,2", "--order", "2")):
             self.quads("plain.vtp", "a.inp", *arguments)
             mesh = (self.folder / "a.inp").read_text()
             rows = mesh.split("*SURFACE, NAME=top, TYPE=ELEMENT\n")[1].split("*")[0].replace("S", "P").split("\n")[:-1]
-            (self.folder / "a.inp").write_text(mesh + """*MATERIAL, NAME=m
-*ELASTIC
-1000, 0.3
-*SOLID SECTION, ELSET=domain, MATERIAL=m
-*BOUNDARY
-bottom, 2, 2
-left, 1, 1
-back, 3, 3
-*STEP
-*STATIC
-*DLOAD
-%s
-*EL PRINT, ELSET=domain
-S
-*END STEP
-""" % "\n".join(row + ", -1" for row in rows))
-            subprocess.run(["ccx", "a"], cwd=self.folder, check=True, capture_output=True)
-            stresses = [tuple(map(float, row.split()[2:8])) for row in
-                        (self.folder / "a.dat").read_text().splitlines() if re.match(r" +\d+ +\d+ ", row)]
-            self.assertGreater(len(stresses), 400)
+            stresses = self.stresses(mesh, ("bottom, 2, 2", "left, 1, 1", "back, 3, 3"), [row + ", -1" for row in rows])
             for xx, yy, zz, xy, yz, zx in stresses:
                 self.assertLess(max(map(abs, (xx, yy - 1, zz, xy, yz, zx))), 1e-4)
 
@@ -110,28 +113,9 @@ S
         self.assertIn("*ELEMENT, TYPE=C3D6, ELSET=domain\n", mesh)
         loads = [row.replace("S", "P") + ", 1" for side in ("top", "right")
                  for row in mesh.split(f"*SURFACE, NAME={side}, TYPE=ELEMENT\n")[1].split("*")[0].split("\n")[:-1]]
-        (self.folder / "a.inp").write_text(mesh + """*MATERIAL, NAME=m
-*ELASTIC
-1000, 0.3
-*SOLID SECTION, ELSET=domain, MATERIAL=m
-*BOUNDARY
-left, 1, 1
-back, 3, 3
-front, 2, 2
-*STEP
-*STATIC
-*DLOAD
-%s
-*EL PRINT, ELSET=domain
-S
-*END STEP
-""" % "\n".join(loads))
-        subprocess.run(["ccx", "a"], cwd=self.folder, check=True, capture_output=True)
-        stresses = [tuple(map(float, row.split()[2:5])) for row in
-                    (self.folder / "a.dat").read_text().splitlines() if re.match(r" +\d+ +\d+ ", row)]
-        self.assertGreater(len(stresses), 400)
+        stresses = self.stresses(mesh, ("left, 1, 1", "back, 3, 3", "front, 2, 2"), loads)
         for stress in stresses:
-            self.assertLess(max(abs(s + 1) for s in stress), 0.02, "the polygon is loaded on its facets")
+            self.assertLess(max(abs(s + 1) for s in stress[:3]), 0.02, "the polygon is loaded on its facets")
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_example_of_a_bracket(self):

@@ -90,6 +90,16 @@ MeshFormat MeshFormatOf(const std::string& name)
   return format == Endings.end() ? MeshFormat::None : format->second;
 }
 
+std::string MeshEndings()
+{
+  std::string list;
+  for (const auto& [ending, format] : Endings)
+  {
+    list += ending + " ";
+  }
+  return list + "/";
+}
+
 void RequireOrder(MeshFormat format, int order)
 {
   const auto limit = Limits.find(format);

@@ -34,6 +34,9 @@ struct FileText
 /// with /.
 MeshFormat MeshFormatOf(const std::string& name);
 
+/// Returns the endings of all formats, separated by blanks, and / for the folder of a case.
+std::string MeshEndings();
+
 /// Throws Error if the format is None or has no cells of an order.
 void RequireOrder(MeshFormat format, int order);
 

@@ -115,16 +115,16 @@ public:
       return start + part * this->Settings.height * this->Normal;
     }
     const double first = this->Settings.layers == 1 && this->Settings.angle < FullTurn ? -0.5 : 0.0;
-    const double angle = (part + first) * this->Settings.angle * std::acos(-1.0) / (FullTurn / 2.0);
+    const double angle = (part + first) * this->Settings.angle * (2.0 * std::acos(-1.0) / FullTurn);
     if (angle == 0.0)
     {
       return start;
     }
     const int across = 1 - this->Settings.axis;
+    const double distance = this->OnAxis[Index(point)] ? 0.0 : start[across];
     Eigen::Vector3d place = start;
-    place[across] = this->OnAxis[Index(point)] ? 0.0 : start[across] * std::cos(angle);
-    place.z() += this->Normal.z() * std::abs(start[across]) * std::sin(angle) *
-      (this->OnAxis[Index(point)] ? 0.0 : 1.0);
+    place[across] = distance * std::cos(angle);
+    place.z() += this->Normal.z() * std::abs(distance) * std::sin(angle);
     return place;
   }
 
@@ -139,7 +139,10 @@ private:
     {
       const double distance = this->Quads.points[Index(point)][across];
       this->OnAxis[Index(point)] = std::abs(distance) <= tolerance;
-      (distance > tolerance ? positive : distance < -tolerance ? negative : this->Last) = point;
+      if (!this->OnAxis[Index(point)])
+      {
+        (distance > 0.0 ? positive : negative) = point;
+      }
     }
     if (positive >= 0 && negative >= 0)
     {
@@ -153,7 +156,6 @@ private:
   const Sweep& Settings;
   Eigen::Vector3d Normal;
   std::vector<bool> OnAxis;
-  int Last = -1; ///< The last point on the axis.
 };
 
 /// Numbers of the points at the levels of a sweep; those on the axis are at all levels the same.

@@ -39,8 +39,9 @@ struct SweptMesh
 /// Layer l of the translation is between the heights h l / n and h (l + 1) / n along the unit normal from
 /// which quads are counter-clockwise. The rotation begins into the direction of the normal; it goes from
 /// 0 to the angle, and with one layer from minus half to half of the angle, as a wedge of OpenFOAM. Sides
-/// keep their names. An end whose name a side has gets the next free name of `front_2`, `front_3`, .... Cells go layer
-/// by layer in the order of the quads; faces likewise, then those of back and front.
+/// keep their names. If a side has the name of an end, the end is called `front_2`, or with the next free
+/// number. The order of cells is that of the quads in each layer; that of faces is that of the edges in each
+/// layer, and the faces of back and front are the last.
 /// Periodic sides stay so after a translation, and after a revolution if the motion is along its axis.
 ///
 /// A quad with an edge on the axis becomes a prism: a hexahedron of order 1 in which the two ends of

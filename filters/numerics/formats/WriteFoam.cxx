@@ -175,8 +175,8 @@ double FoamThickness(const ExportMesh& quads)
   {
     box.extend(quads.points[Index(node)]);
   }
-  constexpr double Part =
-    0.1; // so thin that a picture shows a sheet, so thick that faces are no needles
+  // Solvers ignore the thickness; this one is not far from usual lengths of edges.
+  constexpr double Part = 0.1;
   return std::pow(10.0, std::floor(std::log10(Part * box.diagonal().norm())));
 }
 

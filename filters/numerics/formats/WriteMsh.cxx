@@ -9,6 +9,7 @@
 #include "SideFaces.h"
 
 #include <array>
+#include <limits>
 
 namespace crossfield
 {
@@ -136,17 +137,6 @@ std::vector<Entity> RegionsOf(const ExportMesh& mesh, const MeshNumbering& numbe
   return regions;
 }
 
-/// Returns the nodes of all elements, those of an element one after the other.
-std::vector<int> NodesOf(const Entity& entity)
-{
-  std::vector<int> nodes;
-  for (const Elements& elements : entity.elements)
-  {
-    nodes.insert(nodes.end(), elements.nodes.begin(), elements.nodes.end());
-  }
-  return nodes;
-}
-
 /// Sets the tags of entities and gives each node to the first one that has it.
 void Complete(const ExportMesh& mesh, const MeshNumbering& numbering, std::vector<Entity>& entities)
 {
@@ -155,17 +145,21 @@ void Complete(const ExportMesh& mesh, const MeshNumbering& numbering, std::vecto
   for (Entity& entity : entities)
   {
     entity.tag = ++tag;
-    bool isFirst = true;
-    for (const int node : NodesOf(entity))
+    const double infinity = std::numeric_limits<double>::infinity();
+    entity.low.setConstant(infinity);
+    entity.high.setConstant(-infinity);
+    for (const Elements& ofType : entity.elements)
     {
-      const Eigen::Vector3d& place = mesh.points[Index(numbering.point[Index(node - 1)])];
-      entity.low = isFirst ? place : entity.low.cwiseMin(place).eval();
-      entity.high = isFirst ? place : entity.high.cwiseMax(place).eval();
-      isFirst = false;
-      if (!isTaken[Index(node - 1)])
+      for (const int node : ofType.nodes)
       {
-        isTaken[Index(node - 1)] = true;
-        entity.nodes.push_back(node);
+        const Eigen::Vector3d& place = mesh.points[Index(numbering.point[Index(node - 1)])];
+        entity.low = entity.low.cwiseMin(place).eval();
+        entity.high = entity.high.cwiseMax(place).eval();
+        if (!isTaken[Index(node - 1)])
+        {
+          isTaken[Index(node - 1)] = true;
+          entity.nodes.push_back(node);
+        }
       }
     }
   }

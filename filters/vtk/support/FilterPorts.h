@@ -32,10 +32,18 @@ inline int AcceptOptionalDomain(vtkInformation* info)
   return AcceptDomain(info);
 }
 
-/** Accepts a mesh of vtkDrillHoles, with or without a field. */
+/** Accepts a mesh of vtkDrillHoles, with or without a field, or quads. */
 inline int AcceptMesh(vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+/** Accepts the boundary edges of vtkQuadMesher or no connection. */
+inline int AcceptOptionalBoundary(vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
 }
 
