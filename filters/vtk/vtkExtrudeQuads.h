@@ -16,7 +16,7 @@
  * VTK_BIQUADRATIC_QUAD. With all arrays of the quads and
  * - cells: `K` (int), the layer, −1 on faces; `Side` (string), the name of the side of a face: that of the edge,
  *   or `back` at the start and `front` at the end (`front_2`, ... if the quads have a side of that name);
- *   `BlockId`, `I` and `J` are −1 on faces;
+ *   `I` and `J` are −1 on faces, whose other arrays are those of their cell;
  * - field data: `SweepLayers` (int), `SweepEnds` (string, 2: names of back and front, empty if there are none),
  *   `SweepHeight` (double, translation) or `SweepAngle` (double, degrees, revolution), `Hexahedra` (int,
  *   number of cells, with prisms).

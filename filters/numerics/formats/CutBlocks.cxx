@@ -1,5 +1,6 @@
 #include "CutBlocks.h"
 
+#include "BlockLattice.h"
 #include "Index.h"
 
 #include <Eigen/Geometry>
@@ -326,8 +327,7 @@ int CutAmbiguousEdges(const std::vector<ExportBlock>& blocks, BlockCuts& cuts, b
 
 int NodeAt(const ExportBlock& block, const std::array<int, 3>& index)
 {
-  return block.nodes[Index(index[0]) +
-    Index(block.cells[0] + 1) * (Index(index[1]) + Index(block.cells[1] + 1) * Index(index[2]))];
+  return block.nodes[BlockPoint(block, index)];
 }
 
 std::vector<int> EdgeNodes(const ExportBlock& block, int direction, std::array<int, 3> start)

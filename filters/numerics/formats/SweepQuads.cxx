@@ -335,11 +335,11 @@ SweptMesh SweepQuads(const ExportMesh& quads, const Sweep& sweep)
   std::copy_if(quads.periodic.begin(), quads.periodic.end(), std::back_inserter(mesh.periodic),
     [&sweep](const PeriodicPair& pair) { return Commutes(pair.motion, sweep); });
   const int p = quads.order;
-  const auto addFace = [&](const std::array<int, 4>& corners, int side, int parent)
+  const auto addFace = [&](const std::array<int, 4>& corners, int side, int edge)
   {
     mesh.faces.insert(mesh.faces.end(), corners.begin(), corners.end());
     mesh.side.push_back(side);
-    swept.faceOf.push_back(parent);
+    swept.faceOf.push_back(edge);
   };
   for (int layer = 0; layer < sweep.layers; ++layer)
   {
@@ -381,7 +381,7 @@ SweptMesh SweepQuads(const ExportMesh& quads, const Sweep& sweep)
           corners[Index(corner)] =
             points.At(quads.Cell(cell)[lattice.Corner(corner)], end == 0 ? 0 : sweep.layers * p);
         }
-        addFace(corners, side, -1 - cell);
+        addFace(corners, side, -1);
       }
     }
   }

@@ -31,7 +31,7 @@ struct SweptMesh
   ExportMesh mesh;
   std::vector<int> pointOf; ///< Per point, the point of the quads.
   std::vector<int> cellOf;  ///< Per cell, the quad.
-  std::vector<int> faceOf;  ///< Per face, the boundary edge, or −1 − quad on the ends.
+  std::vector<int> faceOf;  ///< Per face, the boundary edge, −1 on the ends.
 };
 
 /// Sweeps quads of order 1 or 2 to hexahedra of the same order.

@@ -220,7 +220,7 @@ vtkIdType InsertFace(std::vector<int> nodes, vtkUnstructuredGrid* output)
     ids.size() == 3 ? VTK_TRIANGLE : type, static_cast<vtkIdType>(ids.size()), ids.data());
 }
 
-/** Sets the arrays that are not those of the quads: layers, and the sides of all faces. */
+/** Sets the arrays that are not those of the quads: layers, and the sides and places of faces. */
 void WriteSweptArrays(const crossfield::SweptMesh& swept, vtkUnstructuredGrid* output)
 {
   const ExportMesh& mesh = swept.mesh;
@@ -239,7 +239,7 @@ void WriteSweptArrays(const crossfield::SweptMesh& swept, vtkUnstructuredGrid* o
   for (int face = 0; face < mesh.FaceCount(); ++face)
   {
     sides->SetValue(cells + face, mesh.sideNames[Index(mesh.side[Index(face)])]);
-    for (const char* name : { names::BlockId, names::I, names::J })
+    for (const char* name : { names::I, names::J })
     {
       if (vtkDataArray* array = data->GetArray(name))
       {
@@ -359,9 +359,18 @@ void WriteSwept(const crossfield::SweptMesh& swept, const Cells& quads, vtkUnstr
       nodes.push_back(mesh.Cell(part.cell)[positions[position]]);
     }
     const vtkIdType number = InsertFace(nodes, output);
-    const int parent = swept.faceOf[Index(face)];
-    cellData->CopyData(from->GetCellData(),
-      parent >= 0 ? quads.faces[Index(parent)] : quads.cells[Index(-1 - parent)], number);
+    // Data of the quad that the cell comes from, so that colours of faces and cells agree.
+    cellData->CopyData(
+      from->GetCellData(), quads.cells[Index(swept.cellOf[Index(part.cell)])], number);
+    const int edge = swept.faceOf[Index(face)];
+    for (const char* name : { names::BoundaryKind, names::BoundaryId, names::Curve })
+    {
+      vtkDataArray* array = cellData->GetArray(name);
+      if (edge >= 0 && array != nullptr)
+      {
+        array->SetTuple(number, quads.faces[Index(edge)], from->GetCellData()->GetArray(name));
+      }
+    }
   }
   WriteSweptArrays(swept, output);
   vtkFieldData* report = output->GetFieldData();

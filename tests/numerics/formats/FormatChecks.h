@@ -4,6 +4,7 @@
 #include "Index.h"
 #include "MeshFormats.h"
 #include "Support.h"
+#include "WriteFoam.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,19 @@ inline std::string Written(
   const ExportMesh& mesh, const std::string& name, MshVersion version = MshVersion::V41)
 {
   return WriteMeshFiles(mesh, name, version).at(0).text;
+}
+
+/// Returns the text of a file of a case of OpenFOAM, an empty one if there is no such file.
+inline std::string FoamTextOf(const ExportMesh& mesh, const std::string& file)
+{
+  for (const auto& [name, text] : WriteFoam(mesh))
+  {
+    if (name == file)
+    {
+      return text;
+    }
+  }
+  return "";
 }
 
 /// Points on a lattice of columns × rows (× 1) cells; cells and faces have random directions.

@@ -1,8 +1,7 @@
-// Cases of OpenFOAM: order of faces, closed cells, patches, prisms, periodic sides, zones, names, blocks.
+// Cases of OpenFOAM: order of faces, closed cells, patches, prisms, periodic sides, zones, names.
 
 #include "WriteFoam.h"
 
-#include "CutBlocks.h"
 #include "FoamMesh.h"
 #include "FormatChecks.h"
 #include "GatherBlocks.h"
@@ -130,67 +129,12 @@ double ExpectValid(const ExportMesh& mesh, const FoamMesh& foam)
   return total;
 }
 
-std::string TextOf(const ExportMesh& mesh, const std::string& file)
-{
-  for (const auto& [name, text] : WriteFoam(mesh))
-  {
-    if (name == file)
-    {
-      return text;
-    }
-  }
-  return "";
-}
-
 const FoamPatch* Find(const FoamMesh& foam, const std::string& name)
 {
   const auto found = std::find_if(foam.patches.begin(), foam.patches.end(),
     [&name](const FoamPatch& patch) { return patch.name == name; });
   return found == foam.patches.end() ? nullptr : &*found;
 }
-
-/// Ring of one block that meets itself, from radius 1 to 2.
-ExportMesh Ring(int around, int across)
-{
-  ExportMesh mesh;
-  mesh.regionNames = { "domain" };
-  mesh.sideNames = { "inner", "outer" };
-  std::vector<BlockPlace> places;
-  for (int j = 0; j <= across; ++j)
-  {
-    for (int i = 0; i < around; ++i)
-    {
-      const double angle = 2.0 * Pi * i / around;
-      const double radius = 1.0 + static_cast<double>(j) / across;
-      mesh.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
-    }
-  }
-  for (int j = 0; j < across; ++j)
-  {
-    for (int i = 0; i < around; ++i)
-    {
-      const auto at = [&](int a, int b) { return (i + a) % around + around * (j + b); };
-      // Rows go outwards, so that the block is right-handed.
-      mesh.cells.insert(mesh.cells.end(), { at(0, 0), at(0, 1), at(1, 0), at(1, 1) });
-      mesh.region.push_back(0);
-      places.push_back({ 0, { j, i, 0 } });
-      if (j == 0 || j + 1 == across)
-      {
-        const int b = j == 0 ? 0 : 1;
-        mesh.faces.insert(mesh.faces.end(), { at(0, b), at(1, b) });
-        mesh.side.push_back(b);
-      }
-    }
-  }
-  mesh.blocks = GatherBlocks(mesh, places);
-  return mesh;
-}
-
-class NoSides : public SidesOfCells
-{
-public:
-  int SideOf(const std::array<int, 4>& /*corners*/) const override { return 0; }
-};
 }
 
 TEST(WriteFoam, CellsAreClosedAndFacesInOrder)
@@ -300,7 +244,7 @@ TEST(WriteFoam, PeriodicSidesAreCyclicAndMatch)
         1e-12);
     }
   }
-  EXPECT_NE(TextOf(mesh, "constant/polyMesh/boundary").find("neighbourPatch right_side;"),
+  EXPECT_NE(FoamTextOf(mesh, "constant/polyMesh/boundary").find("neighbourPatch right_side;"),
     std::string::npos);
 }
 
@@ -342,7 +286,7 @@ TEST(WriteFoam, RegionsAndInnerSidesAreZones)
       mesh.region[Index(foam.owner[Index(face)])], mesh.region[Index(foam.neighbour[Index(face)])]);
   }
   EXPECT_EQ(Find(foam, "between"), nullptr);
-  EXPECT_NE(TextOf(mesh, "constant/polyMesh/faceZones").find("between\n{\n    type faceZone;"),
+  EXPECT_NE(FoamTextOf(mesh, "constant/polyMesh/faceZones").find("between\n{\n    type faceZone;"),
     std::string::npos);
 }
 
@@ -406,7 +350,7 @@ TEST(WriteFoam, QuadsAreOneLayerOfAPowerOfTen)
     EXPECT_NEAR(FoamThickness(quads) / thickness, 1.0, 1e-15);
   }
   const ExportMesh quads = Rectangle(2, 2, UnitSquare, random);
-  const std::string points = TextOf(quads, "constant/polyMesh/points");
+  const std::string points = FoamTextOf(quads, "constant/polyMesh/points");
   EXPECT_NE(points.find("18\n(\n"), std::string::npos);
   EXPECT_NE(points.find("(1 0.5 0.1)"), std::string::npos) << points;
 }
@@ -415,7 +359,7 @@ TEST(WriteFoam, OneLayerIsNormalToAnAxis)
 {
   Random random(48);
   const auto upright = [](double u, double v) { return Eigen::Vector3d(0.0, u, v); };
-  EXPECT_NE(TextOf(Rectangle(2, 2, upright, random), "constant/polyMesh/owner"), "");
+  EXPECT_NE(FoamTextOf(Rectangle(2, 2, upright, random), "constant/polyMesh/owner"), "");
   const auto tilted = [](double u, double v) { return Eigen::Vector3d(u, v, u); };
   const ExportMesh quads = Rectangle(2, 2, tilted, random);
   EXPECT_THROW(WriteFoam(quads), Error);
@@ -456,79 +400,5 @@ TEST(WriteFoam, FolderAndMarker)
     EXPECT_EQ(names.count(owner), 1U) << name;
   }
   EXPECT_THROW(WriteMeshFiles(LatticeMesh(2, 2, 1, 1, 1).Mesh, "a/"), Error);
-}
-
-TEST(CutBlocks, RingsAreCutUntilTheirCornersAreNotFolded)
-{
-  const ExportMesh quads = Ring(12, 3);
-  ASSERT_EQ(quads.blocks.size(), 1U);
-  const ExportMesh mesh = SweepQuads(quads, {}).mesh;
-  const std::vector<ExportBlock> blocks = CutBlocks(mesh, NoSides());
-  EXPECT_GE(blocks.size(), 3U);
-  int cells = 0;
-  for (const ExportBlock& block : blocks)
-  {
-    cells += block.cells[0] * block.cells[1] * block.cells[2];
-    EXPECT_EQ(std::set<int>(block.nodes.begin(), block.nodes.end()).size(), block.nodes.size());
-  }
-  EXPECT_EQ(cells, 36);
-  const std::string dict = TextOf(quads, "system/blockMeshDict");
-  EXPECT_NE(dict.find("polyLine"), std::string::npos);
-  EXPECT_NE(dict.find("frontAndBack"), std::string::npos);
-}
-
-TEST(CutBlocks, CutsFollowChordsThroughNeighbours)
-{
-  // A block for each of two rows of four cells; the side changes behind the first cell of the lower one.
-  ExportMesh quads = LatticeMesh(2, 1, 4, 2, 3).Mesh;
-  OrientCells(quads);
-  const auto order = [](const ExportMesh& mesh, int cell)
-  {
-    const Eigen::Vector3d& point = mesh.points[Index(mesh.Cell(cell)[0])];
-    return std::array<int, 2>{ static_cast<int>(std::lround(point.x() * 3.0)),
-      static_cast<int>(std::lround(point.y() * 7.0)) };
-  };
-  std::vector<BlockPlace> places;
-  for (int cell = 0; cell < quads.CellCount(); ++cell)
-  {
-    // Cells were turned at random: the first corner of all must be the lower left one.
-    int* nodes = quads.cells.data() + 4 * cell;
-    std::sort(nodes, nodes + 4,
-      [&](int a, int b)
-      {
-        const Eigen::Vector3d& p = quads.points[Index(a)];
-        const Eigen::Vector3d& q = quads.points[Index(b)];
-        return p.y() != q.y() ? p.y() < q.y() : p.x() < q.x();
-      });
-    const std::array<int, 2> at = order(quads, cell);
-    places.push_back({ at[1], { at[0], 0, 0 } });
-  }
-  quads.blocks = GatherBlocks(quads, places);
-  ASSERT_EQ(quads.blocks.size(), 2U);
-  quads.sideNames.emplace_back("inlet");
-  for (int face = 0; face < quads.FaceCount(); ++face)
-  {
-    const auto middle = [&](int axis)
-    {
-      return (quads.points[Index(quads.faces[Index(2 * face)])][axis] +
-               quads.points[Index(quads.faces[Index(2 * face + 1)])][axis]) /
-        2.0;
-    };
-    if (middle(1) < 1e-9 && middle(0) < 1.0 / 3.0)
-    {
-      quads.side[Index(face)] = 4;
-    }
-  }
-  const std::string dict = TextOf(quads, "system/blockMeshDict");
-  std::size_t count = 0;
-  for (std::size_t at = dict.find("hex ("); at != std::string::npos;
-       at = dict.find("hex (", at + 1))
-  {
-    ++count;
-  }
-  EXPECT_EQ(count, 4U) << dict; // both rows are cut behind the first column
-  EXPECT_NE(dict.find("(1 1 1) simpleGrading (1 1 1)"), std::string::npos) << dict;
-  EXPECT_NE(dict.find("(3 1 1) simpleGrading (1 1 1)"), std::string::npos) << dict;
-  EXPECT_EQ(dict.find("polyLine"), std::string::npos) << "all edges are straight";
 }
 }
