@@ -1,6 +1,7 @@
 #include "PotentialOperator.h"
 
 #include "P1Laplacian.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,10 +19,13 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
 {
   const TriangleMesh& mesh = this->Topology->mesh;
   const std::vector<LoopStrip>& strips = this->Strips;
-  Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, this->Topology->edges);
-  const Eigen::Index vertexCount = matrix.rows();
+  const Eigen::SparseMatrix<double> stiffness = P1Stiffness(mesh, this->Topology->edges);
+  if (strips.empty())
+  {
+    return stiffness;
+  }
+  const Eigen::Index vertexCount = stiffness.rows();
   const auto size = vertexCount + static_cast<Eigen::Index>(strips.size());
-  matrix.conservativeResize(size, size);
   std::vector<Eigen::Triplet<double>> border;
   for (std::size_t k = 0; k < strips.size(); ++k)
   {
@@ -57,12 +61,39 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
       }
     }
   }
-  if (!border.empty())
+  Eigen::SparseMatrix<double> addition(size, size);
+  addition.setFromTriplets(border.begin(), border.end());
+
+  // The rows of periods come last in every column.
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.resizeNonZeros(stiffness.nonZeros() + addition.nonZeros());
+  const auto lengthOf = [](const Eigen::SparseMatrix<double>& part, Eigen::Index column)
   {
-    Eigen::SparseMatrix<double> addition(size, size);
-    addition.setFromTriplets(border.begin(), border.end());
-    matrix += addition;
+    return column < part.cols() ? part.outerIndexPtr()[column + 1] - part.outerIndexPtr()[column]
+                                : 0;
+  };
+  matrix.outerIndexPtr()[0] = 0;
+  for (Eigen::Index column = 0; column < size; ++column)
+  {
+    matrix.outerIndexPtr()[column + 1] = matrix.outerIndexPtr()[column] +
+      lengthOf(stiffness, column) + lengthOf(addition, column);
   }
+  ForRanges(size,
+    [&](int begin, int end)
+    {
+      for (Eigen::Index column = begin; column < end; ++column)
+      {
+        int target = matrix.outerIndexPtr()[column];
+        for (const Eigen::SparseMatrix<double>* part : { &stiffness, &std::as_const(addition) })
+        {
+          const int count = lengthOf(*part, column);
+          const int source = count > 0 ? part->outerIndexPtr()[column] : 0;
+          std::copy_n(part->innerIndexPtr() + source, count, matrix.innerIndexPtr() + target);
+          std::copy_n(part->valuePtr() + source, count, matrix.valuePtr() + target);
+          target += count;
+        }
+      }
+    });
   return matrix;
 }
 
@@ -80,15 +111,19 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
   };
   Eigen::MatrixXd gradient(
     2 * potentials.cols(), static_cast<Eigen::Index>(this->Topology->mesh.triangles.size()));
-  for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
-  {
-    const auto& v = this->Topology->mesh.triangles[t];
-    for (Eigen::Index c = 0; c < potentials.cols(); ++c)
+  ForRanges(gradient.cols(),
+    [&](int begin, int end)
     {
-      gradient.block<2, 1>(2 * c, static_cast<Eigen::Index>(t)) =
-        gradientOf(t, potentials(v[0], c), potentials(v[1], c), potentials(v[2], c));
-    }
-  }
+      for (int t = begin; t < end; ++t)
+      {
+        const auto& v = this->Topology->mesh.triangles[static_cast<std::size_t>(t)];
+        for (Eigen::Index c = 0; c < potentials.cols(); ++c)
+        {
+          gradient.block<2, 1>(2 * c, t) = gradientOf(static_cast<std::size_t>(t),
+            potentials(v[0], c), potentials(v[1], c), potentials(v[2], c));
+        }
+      }
+    });
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
     for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
