@@ -165,7 +165,7 @@ bool FactorInParts(
     {
       break;
     }
-    const std::size_t strips = rest <= static_cast<int>(MinimumRowsForParts) ? 1 : StripCount(rest);
+    const std::size_t strips = StripCount(rest);
     const auto panelRows = [&](std::size_t strip)
     {
       const auto [from, to] = PartRange(rest, strip, strips);

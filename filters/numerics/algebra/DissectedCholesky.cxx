@@ -180,6 +180,10 @@ void DissectedCholesky::ForParts(bool parallel, bool upwards, const Function& fu
   }
 }
 
+// For DissectedElimination.cxx.
+template void DissectedCholesky::ForParts(
+  bool parallel, bool upwards, const std::function<void(std::size_t)>& function) const;
+
 Eigen::MatrixXd DissectedCholesky::AssembleFront(const Eigen::SparseMatrix<double>& matrix,
   const Part& part, std::vector<Eigen::MatrixXd>& updates) const
 {

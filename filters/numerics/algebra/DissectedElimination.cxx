@@ -4,6 +4,7 @@
 #include "Parts.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -231,31 +232,31 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
     }
     return rows;
   };
-  this->ForParts(true, true,
-    [&](std::size_t i)
+  const std::function<void(std::size_t)> eliminate = [&](std::size_t i)
+  {
+    const Part& part = this->Parts[i];
+    const Eigen::Index border = part.Rows() - part.Size();
+    if (part.leaf)
     {
-      const Part& part = this->Parts[i];
-      const Eigen::Index border = part.Rows() - part.Size();
-      if (part.leaf)
-      {
-        parts[i] = EliminateInLeaf(*part.leaf, border, ofParts[i], firsts);
-        return;
-      }
-      EliminatedPart& result = parts[i];
-      const Eigen::MatrixXd rows = load(i, result.blocks);
-      if (result.blocks.empty())
-      {
-        return;
-      }
-      GramNode node;
-      node.blocks = result.blocks;
-      node.rows = rows.topRows(part.Size());
-      SolveLowerInPlace(part.lower.topRows(part.Size()), node.rows);
-      result.atBorder =
-        rows.bottomRows(border) - DenseProduct(part.lower.bottomRows(border), node.rows);
-      result.nodes.push_back(std::move(node));
-      result.firsts.push_back(0);
-    });
+      parts[i] = EliminateInLeaf(*part.leaf, border, ofParts[i], firsts);
+      return;
+    }
+    EliminatedPart& result = parts[i];
+    const Eigen::MatrixXd rows = load(i, result.blocks);
+    if (result.blocks.empty())
+    {
+      return;
+    }
+    GramNode node;
+    node.blocks = result.blocks;
+    node.rows = rows.topRows(part.Size());
+    SolveLowerInPlace(part.lower.topRows(part.Size()), node.rows);
+    result.atBorder =
+      rows.bottomRows(border) - DenseProduct(part.lower.bottomRows(border), node.rows);
+    result.nodes.push_back(std::move(node));
+    result.firsts.push_back(0);
+  };
+  this->ForParts(true, true, eliminate);
   GramNode root;
   for (const Eigen::SparseMatrix<double>& block : blocks)
   {

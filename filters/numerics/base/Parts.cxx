@@ -5,48 +5,117 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
 
 namespace crossfield
 {
 namespace
 {
-/// Whether this thread belongs to a team that was started below.
-thread_local bool isInTeam = false;
-
-/// Marks the calling thread as a member of a team.
-class TeamMember
+/// Threads of a parallel region of OpenMP, which take parts of all loops that the region runs, also
+/// of loops inside of parts. The tasks of OpenMP would do the same, but those of LLVM 14 fail when
+/// several threads of the host start regions and end.
+class Team
 {
 public:
-  TeamMember() { isInTeam = true; }
-  ~TeamMember() { isInTeam = false; }
-  TeamMember(const TeamMember&) = delete;
-  TeamMember& operator=(const TeamMember&) = delete;
+  /// The team of the calling thread, or null.
+  static thread_local Team* Present;
+
+  /// Calls a function for all parts, and returns when all have finished. Must be called in a thread
+  /// of the team. While a thread waits, it takes parts of its own loop only: another loop might wait
+  /// for something that this thread holds.
+  void Run(std::size_t parts, const std::function<void(std::size_t)>& function)
+  {
+    Loop loop{ function, parts };
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    this->Open.push_back(&loop);
+    this->Changed.notify_all();
+    while (loop.next < parts)
+    {
+      this->RunNext(loop, lock);
+    }
+    loop.ended.wait(lock, [&loop] { return loop.finished == loop.parts; });
+  }
+
+  /// Takes parts of the loops of other threads until End is called, of the outermost loops first.
+  void Help()
+  {
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    for (;;)
+    {
+      this->Changed.wait(lock, [this] { return this->HasEnded || !this->Open.empty(); });
+      if (this->Open.empty())
+      {
+        return;
+      }
+      Loop& loop = *this->Open.front();
+      this->RunNext(loop, lock);
+      if (loop.finished == loop.parts)
+      {
+        loop.ended.notify_one(); // its thread cannot continue before this one releases the lock
+      }
+    }
+  }
+
+  /// Lets the other threads leave.
+  void End()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->HasEnded = true;
+    this->Changed.notify_all();
+  }
+
+private:
+  struct Loop
+  {
+    const std::function<void(std::size_t)>& function;
+    std::size_t parts;
+    std::size_t next = 0;
+    std::size_t finished = 0;
+    std::condition_variable ended{};
+  };
+
+  /// Runs the next part of a loop without the lock.
+  void RunNext(Loop& loop, std::unique_lock<std::mutex>& lock)
+  {
+    const std::size_t part = loop.next++;
+    if (loop.next == loop.parts)
+    {
+      this->Open.erase(std::find(this->Open.begin(), this->Open.end(), &loop));
+    }
+    lock.unlock();
+    loop.function(part);
+    lock.lock();
+    ++loop.finished;
+  }
+
+  std::mutex Mutex;
+  std::condition_variable Changed;
+  std::vector<Loop*> Open; ///< Loops with parts that no thread has taken.
+  bool HasEnded = false;
 };
 
-/// Calls a function, which must not throw, in the calling thread as the master of a team. The other
-/// threads wait for tasks.
+thread_local Team* Team::Present = nullptr;
+
+/// Calls a function, which must not throw, in the calling thread as the first of a team.
 void RunInTeam(int threads, const std::function<void()>& function)
 {
+  Team team;
 #pragma omp parallel num_threads(threads)
   {
-    const TeamMember member;
-#pragma omp master
-    function();
-  }
-}
-
-/// Calls a function for all parts as tasks of the present team.
-void RunTasks(std::size_t parts, const std::function<void(std::size_t)>& function)
-{
-#pragma omp taskgroup
-  {
-    for (std::size_t part = 1; part < parts; ++part)
+    Team::Present = &team;
+    if (omp_get_thread_num() == 0)
     {
-#pragma omp task firstprivate(part) shared(function)
-      function(part);
+      function();
+      team.End();
     }
-    function(0);
+    else
+    {
+      team.Help();
+    }
+    Team::Present = nullptr;
   }
 }
 
@@ -83,13 +152,13 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
   {
     trace->Run(parts, attempt);
   }
-  else if (isInTeam)
+  else if (Team* const team = Team::Present)
   {
-    RunTasks(parts, attempt);
+    team->Run(parts, attempt);
   }
   else if (const int threads = TeamSize(parts); threads > 1 && omp_in_parallel() == 0)
   {
-    RunInTeam(threads, [&] { RunTasks(parts, attempt); });
+    RunInTeam(threads, [&] { Team::Present->Run(parts, attempt); });
   }
   else
   {
@@ -110,7 +179,7 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
 void WithAllThreads(const std::function<void()>& function)
 {
   const int threads = TeamSize(MaximumPartCount);
-  if (PartsTrace::Active() != nullptr || isInTeam || threads == 1 || omp_in_parallel() != 0)
+  if (PartsTrace::Active() != nullptr || Team::Present != nullptr || threads == 1 || omp_in_parallel() != 0)
   {
     function();
     return;

@@ -61,39 +61,52 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
       }
     }
   }
-  Eigen::SparseMatrix<double> addition(size, size);
-  addition.setFromTriplets(border.begin(), border.end());
+  std::stable_sort(border.begin(), border.end(),
+    [](const auto& a, const auto& b)
+    { return a.col() < b.col() || (a.col() == b.col() && a.row() < b.row()); });
 
   // The rows of periods come last in every column.
   Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.resizeNonZeros(stiffness.nonZeros() + addition.nonZeros());
-  const auto lengthOf = [](const Eigen::SparseMatrix<double>& part, Eigen::Index column)
+  int* const starts = matrix.outerIndexPtr();
+  std::fill(starts, starts + size + 1, 0);
+  std::vector<Eigen::Triplet<double>> merged;
+  for (const Eigen::Triplet<double>& entry : border)
   {
-    return column < part.cols() ? part.outerIndexPtr()[column + 1] - part.outerIndexPtr()[column]
-                                : 0;
-  };
-  matrix.outerIndexPtr()[0] = 0;
+    if (!merged.empty() && merged.back().col() == entry.col() && merged.back().row() == entry.row())
+    {
+      merged.back() = { entry.row(), entry.col(), merged.back().value() + entry.value() };
+      continue;
+    }
+    merged.push_back(entry);
+    ++starts[entry.col() + 1];
+  }
+  const int* const before = stiffness.outerIndexPtr();
   for (Eigen::Index column = 0; column < size; ++column)
   {
-    matrix.outerIndexPtr()[column + 1] = matrix.outerIndexPtr()[column] +
-      lengthOf(stiffness, column) + lengthOf(addition, column);
+    starts[column + 1] +=
+      starts[column] + (column < vertexCount ? before[column + 1] - before[column] : 0);
   }
-  ForRanges(size,
+  matrix.resizeNonZeros(starts[size]);
+  ForRanges(vertexCount,
     [&](int begin, int end)
     {
-      for (Eigen::Index column = begin; column < end; ++column)
+      for (int column = begin; column < end; ++column)
       {
-        int target = matrix.outerIndexPtr()[column];
-        for (const Eigen::SparseMatrix<double>* part : { &stiffness, &std::as_const(addition) })
-        {
-          const int count = lengthOf(*part, column);
-          const int source = count > 0 ? part->outerIndexPtr()[column] : 0;
-          std::copy_n(part->innerIndexPtr() + source, count, matrix.innerIndexPtr() + target);
-          std::copy_n(part->valuePtr() + source, count, matrix.valuePtr() + target);
-          target += count;
-        }
+        const int count = before[column + 1] - before[column];
+        std::copy_n(stiffness.innerIndexPtr() + before[column], count,
+          matrix.innerIndexPtr() + starts[column]);
+        std::copy_n(
+          stiffness.valuePtr() + before[column], count, matrix.valuePtr() + starts[column]);
       }
     });
+  for (auto entry = merged.rbegin(), last = entry; entry != merged.rend(); ++entry)
+  {
+    // From the end of each column.
+    last = last->col() == entry->col() ? last : entry;
+    const auto place = starts[entry->col() + 1] - 1 - static_cast<int>(entry - last);
+    matrix.innerIndexPtr()[place] = entry->row();
+    matrix.valuePtr()[place] = entry->value();
+  }
   return matrix;
 }
 
