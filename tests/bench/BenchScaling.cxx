@@ -8,8 +8,8 @@
  * One row per computation: seconds in one thread, the part outside of all parallel loops, and the
  * ratio of the time in one thread to that on 2, 4, 8 and 16 processors.
  */
-#include "BenchDisk.h"
 #include "AutomaticConfiguration.h"
+#include "BenchDisk.h"
 #include "BuiltinDomains.h"
 #include "DrillHoles.h"
 #include "HField.h"
@@ -52,7 +52,8 @@ PlanarDomain Plate(int count)
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   const double width = columns;
   const double height = (count + columns - 1) / columns;
-  std::vector<Loop> loops = { { { 0.0, 0.0 }, { width, 0.0 }, { width, height }, { 0.0, height } } };
+  std::vector<Loop> loops = { { { 0.0, 0.0 }, { width, 0.0 }, { width, height },
+    { 0.0, height } } };
   for (int i = 0; i < count; ++i)
   {
     const double x = i % columns + 0.5 + uniform(-0.15, 0.15);

@@ -42,7 +42,7 @@ RUNS = (
     "solve builtin:disk -s four.csv --size 0.1 --epsilon 0.1 -o {o}.vtu --json {o}.json",
     "solve builtin:disk -s four.csv --size 0.03 --unit-holes -o {o}.vtu --json {o}.json",
     "solve builtin:disk -s four.csv --size 0.03 --global-constraint -o {o}.vtu --json {o}.json",
-    "compare builtin:disk -s four.csv --size 0.1 --methods constrained,unit-norm -o {o}.vtm --csv {o}.csv",
+    "compare builtin:disk -s four.csv --size 0.1 --methods constrained,unit-norm -o {o}.vtm",
     "hfield plate9.csv -o {o}.vtu --json {o}.json",
     "optimize builtin:disk -s moved.csv -o {o}.csv --json {o}.json",
     "optimize builtin:ellipse -o {o}.csv --json {o}.json",

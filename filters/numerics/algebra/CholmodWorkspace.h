@@ -5,6 +5,7 @@
 #include <cholmod.h>
 
 #include <memory>
+#include <vector>
 
 namespace crossfield
 {
@@ -51,6 +52,10 @@ using CholmodFactor = std::unique_ptr<cholmod_factor, ReleaseFactor>;
 
 /// Returns a view of a compressed matrix, of which only the lower triangle is read.
 cholmod_sparse LowerView(const Eigen::SparseMatrix<double>& matrix);
+
+/// Throws Error if CHOLMOD has run out of memory, or of numbers for the entries of the factor of a
+/// matrix of the given size.
+void RequireSuccess(const cholmod_common& common, Eigen::Index size);
 
 /// Analyses a matrix for the order `order`, or for the order of its rows if `order` is null. Throws
 /// Error when there is not enough memory or the factor has too many entries.

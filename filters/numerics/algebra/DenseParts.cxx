@@ -101,7 +101,8 @@ void ForLowerTiles(std::size_t strips, const Function& function)
       tiles.emplace_back(i, j);
     }
   }
-  ForParts(tiles.size(), [&](std::size_t tile) { function(tiles[tile].first, tiles[tile].second); });
+  ForParts(
+    tiles.size(), [&](std::size_t tile) { function(tiles[tile].first, tiles[tile].second); });
 }
 
 /// Replaces a lower triangle, from a row and column on, by its inverse.
@@ -120,9 +121,7 @@ void InvertTriangle(Matrix& lower, int first, int size)
   const int rest = size - upper;
   ForParts(2,
     [&](std::size_t part)
-    {
-      InvertTriangle(lower, part == 0 ? first : first + upper, part == 0 ? upper : rest);
-    });
+    { InvertTriangle(lower, part == 0 ? first : first + upper, part == 0 ? upper : rest); });
   const Part<Scalar> before(lower, first, first, upper, upper);
   const Part<Scalar> after(lower, first + upper, first + upper, rest, rest);
   ForParts(StripCount(upper),

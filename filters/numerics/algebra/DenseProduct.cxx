@@ -12,7 +12,7 @@ namespace
 {
 /// Returns the minimum number of columns of a part of a product with the given number of
 /// multiplications per column: those that take half a millisecond, and enough for BLAS.
-Eigen::Index ColumnsOfPart(Eigen::Index perColumn)
+Eigen::Index ColumnsForBlas(Eigen::Index perColumn)
 {
   constexpr Eigen::Index Multiplications = 4000000;
   return std::max<Eigen::Index>(32, Multiplications / std::max<Eigen::Index>(1, perColumn));
@@ -43,7 +43,7 @@ Matrix Multiply(
           left.data(), &leadingOfLeft, right.data() + begin * right.outerStride(), &leadingOfRight,
           &zero, product.data() + begin * height, &rows, 1, 1);
       },
-      ColumnsOfPart(height * right.rows()));
+      ColumnsForBlas(height * right.rows()));
   }
   return product;
 }
@@ -92,8 +92,7 @@ void SolveTriangle(const char* turned, const Eigen::Ref<const Eigen::MatrixXd>& 
   if (count == 1)
   {
     const int step = 1;
-    dtrsv_(
-      "L", turned, "N", &rows, lower.data(), &leadingOfLower, columns.data(), &step, 1, 1, 1);
+    dtrsv_("L", turned, "N", &rows, lower.data(), &leadingOfLower, columns.data(), &step, 1, 1, 1);
     return;
   }
   const auto leading = static_cast<int>(columns.outerStride());

@@ -64,8 +64,7 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
     [&]
     {
       this->ForParts(true, true,
-        [&](std::size_t i)
-        { updates[i] = this->FactorPart(matrix, this->Parts[i], updates); });
+        [&](std::size_t i) { updates[i] = this->FactorPart(matrix, this->Parts[i], updates); });
     });
   progress.Report(0.9);
   Eigen::MatrixXd root = this->AssembleFront(matrix, this->Parts.back(), updates);
@@ -150,8 +149,7 @@ void DissectedCholesky::RequireMemoryForFactor() const
     const auto size = static_cast<double>(part.Size());
     const auto border = static_cast<double>(part.border.size());
     // The update on the border exists until the part above has added it.
-    entries += border * border +
-      (part.height == 0 ? DissectionFill(size) : size * (size + border));
+    entries += border * border + (part.height == 0 ? DissectionFill(size) : size * (size + border));
   }
   RequireMemory(entries * sizeof(double),
     "The factorisation of " + std::to_string(this->Size) + " unknowns, of which " +
@@ -160,8 +158,8 @@ void DissectedCholesky::RequireMemoryForFactor() const
     "use a larger mesh size, fewer holes or fewer edges on them");
 }
 
-template <typename Function>
-void DissectedCholesky::ForParts(bool parallel, bool upwards, const Function& function) const
+void DissectedCholesky::ForParts(
+  bool parallel, bool upwards, const std::function<void(std::size_t)>& function) const
 {
   const std::size_t levels = this->Levels.size();
   for (std::size_t i = 0; i < levels; ++i)
@@ -179,10 +177,6 @@ void DissectedCholesky::ForParts(bool parallel, bool upwards, const Function& fu
     }
   }
 }
-
-// For DissectedElimination.cxx.
-template void DissectedCholesky::ForParts(
-  bool parallel, bool upwards, const std::function<void(std::size_t)>& function) const;
 
 Eigen::MatrixXd DissectedCholesky::AssembleFront(const Eigen::SparseMatrix<double>& matrix,
   const Part& part, std::vector<Eigen::MatrixXd>& updates) const

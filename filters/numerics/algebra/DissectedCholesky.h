@@ -6,6 +6,7 @@
 #include "PartialCholesky.h"
 #include "Progress.h"
 
+#include <functional>
 #include <memory>
 
 namespace crossfield
@@ -80,15 +81,18 @@ private:
     std::vector<int> unknowns; ///< In elimination order.
     int first = 0;             ///< Position of the first of them in the elimination order.
     int parent = -1;
-    int height = 0;           ///< 0 for leaves; above, larger than that of all parts below.
-    std::vector<int> below;   ///< Numbers of the parts directly below.
-    std::vector<int> border;  ///< Positions in the elimination order.
+    int height = 0;            ///< 0 for leaves; above, larger than that of all parts below.
+    std::vector<int> below;    ///< Numbers of the parts directly below.
+    std::vector<int> border;   ///< Positions in the elimination order.
     std::vector<int> inParent; ///< Local rows of the border in the part above.
     std::unique_ptr<PartialCholesky> leaf;
     Eigen::MatrixXd lower; ///< Columns of L of a separator, in its local rows.
 
     Eigen::Index Size() const { return static_cast<Eigen::Index>(this->unknowns.size()); }
-    Eigen::Index Rows() const { return this->Size() + static_cast<Eigen::Index>(this->border.size()); }
+    Eigen::Index Rows() const
+    {
+      return this->Size() + static_cast<Eigen::Index>(this->border.size());
+    }
   };
 
   /// Finds the borders.
@@ -96,8 +100,8 @@ private:
   void RequireMemoryForFactor() const;
   /// Calls function(part) for all parts except the root, those below others first, or those above
   /// others first; in parallel if `parallel` is set.
-  template <typename Function>
-  void ForParts(bool parallel, bool upwards, const Function& function) const;
+  void ForParts(
+    bool parallel, bool upwards, const std::function<void(std::size_t)>& function) const;
   /// Returns the local row of a position in a part, −1 if the part has no such row.
   static int LocalRow(const Part& part, int position);
   /// Eliminates the unknowns of a part, and returns the lower triangle of what this adds to its
@@ -114,8 +118,8 @@ private:
   Eigen::MatrixXd AssembleFront(const Eigen::SparseMatrix<double>& matrix, const Part& part,
     std::vector<Eigen::MatrixXd>& updates) const;
 
-  std::vector<Part> Parts;      ///< The last one is the root.
-  std::vector<int> Positions;   ///< Of all unknowns in the elimination order; −1 if left out.
+  std::vector<Part> Parts;    ///< The last one is the root.
+  std::vector<int> Positions; ///< Of all unknowns in the elimination order; −1 if left out.
   std::vector<std::vector<int>> Levels; ///< Numbers of parts by height, without the root.
   DenseCholesky<double> RootFactor;
   Eigen::MatrixXd TrailingFactor;

@@ -4,7 +4,6 @@
 #include "Parts.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -36,7 +35,7 @@ struct EliminatedPart
   std::vector<GramNode> nodes;
   std::vector<Eigen::Index> firsts; ///< First row of each node in the part.
   std::vector<int> blocks;          ///< Blocks with entries at the border, in increasing order.
-  Eigen::MatrixXd atBorder; ///< What the part adds to its border, block after block.
+  Eigen::MatrixXd atBorder;         ///< What the part adds to its border, block after block.
 };
 
 /// Eliminates the blocks in a leaf, and collects their rows by supernode.
@@ -140,7 +139,8 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
     firsts.push_back(firsts.back() + block.cols());
   }
   RequireMemory(3.0 *
-      static_cast<double>(firsts.back() * static_cast<Eigen::Index>(this->Parts.back().unknowns.size())) *
+      static_cast<double>(
+        firsts.back() * static_cast<Eigen::Index>(this->Parts.back().unknowns.size())) *
       sizeof(double),
     "The influence of " + std::to_string(firsts.back()) +
       " edges of holes on the cut through the mesh",
@@ -166,8 +166,7 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
         {
           list.push_back({ static_cast<int>(block), {} });
         }
-        list.back().entries.emplace_back(
-          position - this->Parts[part].first, column, entry.value());
+        list.back().entries.emplace_back(position - this->Parts[part].first, column, entry.value());
       }
     }
   }
@@ -216,14 +215,13 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
       for (const int block : from.blocks)
       {
         const Eigen::Index start = startOf(block);
-        const Eigen::Index width = firsts[static_cast<std::size_t>(block) + 1] -
-          firsts[static_cast<std::size_t>(block)];
+        const Eigen::Index width =
+          firsts[static_cast<std::size_t>(block) + 1] - firsts[static_cast<std::size_t>(block)];
         for (Eigen::Index c = 0; c < width; ++c)
         {
           for (std::size_t k = 0; k < places.size(); ++k)
           {
-            rows(places[k], start + c) +=
-              from.atBorder(static_cast<Eigen::Index>(k), column + c);
+            rows(places[k], start + c) += from.atBorder(static_cast<Eigen::Index>(k), column + c);
           }
         }
         column += width;
@@ -232,31 +230,32 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
     }
     return rows;
   };
-  const std::function<void(std::size_t)> eliminate = [&](std::size_t i)
-  {
-    const Part& part = this->Parts[i];
-    const Eigen::Index border = part.Rows() - part.Size();
-    if (part.leaf)
+  this->ForParts(true, true,
+    [&](std::size_t i)
     {
-      parts[i] = EliminateInLeaf(*part.leaf, border, ofParts[i], firsts);
-      return;
-    }
-    EliminatedPart& result = parts[i];
-    const Eigen::MatrixXd rows = load(i, result.blocks);
-    if (result.blocks.empty())
-    {
-      return;
-    }
-    GramNode node;
-    node.blocks = result.blocks;
-    node.rows = rows.topRows(part.Size());
-    SolveLowerInPlace(part.lower.topRows(part.Size()), node.rows);
-    result.atBorder =
-      rows.bottomRows(border) - DenseProduct(part.lower.bottomRows(border), node.rows);
-    result.nodes.push_back(std::move(node));
-    result.firsts.push_back(0);
-  };
-  this->ForParts(true, true, eliminate);
+      const Part& part = this->Parts[i];
+      const Eigen::Index border = part.Rows() - part.Size();
+      if (part.leaf)
+      {
+        parts[i] = EliminateInLeaf(*part.leaf, border, ofParts[i], firsts);
+        return;
+      }
+      EliminatedPart& result = parts[i];
+      const Eigen::MatrixXd rows = load(i, result.blocks);
+      if (result.blocks.empty())
+      {
+        return;
+      }
+      GramNode node;
+      node.blocks = result.blocks;
+      node.rows = rows.topRows(part.Size());
+      SolveLowerInPlace(part.lower.topRows(part.Size()), node.rows);
+      result.atBorder =
+        rows.bottomRows(border) - DenseProduct(part.lower.bottomRows(border), node.rows);
+      result.nodes.push_back(std::move(node));
+      result.firsts.push_back(0);
+    });
+
   GramNode root;
   for (const Eigen::SparseMatrix<double>& block : blocks)
   {

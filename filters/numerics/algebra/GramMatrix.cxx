@@ -255,7 +255,10 @@ Eigen::VectorXd GramMatrix::SquaredCouplings() const
   const int count = this->BlockCount();
   const std::size_t parts = PartCount(count, 1);
   const auto bound = [&](std::size_t part)
-  { return static_cast<int>(count * std::sqrt(static_cast<double>(part) / static_cast<double>(parts))); };
+  {
+    return static_cast<int>(
+      count * std::sqrt(static_cast<double>(part) / static_cast<double>(parts)));
+  };
   std::vector<Eigen::VectorXd> squares(parts);
   ForParts(parts,
     [&](std::size_t part)

@@ -192,7 +192,8 @@ public:
         };
         int* const middle = components[first].end;
         return { { OpenPart{ open.begin, middle, number, sheets(0, first + 1), parent },
-                   OpenPart{ middle, open.end, number, sheets(first + 1, components.size()), parent } },
+                   OpenPart{
+                     middle, open.end, number, sheets(first + 1, components.size()), parent } },
           open.end };
       }
       twoSheets = components.front().twoSheets;

@@ -81,12 +81,14 @@ void PartialCholesky::Analyse(const Eigen::SparseMatrix<double>& lower)
       this->NodeOf.begin() + node.first, node.width, static_cast<int>(this->Nodes.size()));
     this->Nodes.push_back(node);
   }
-  this->RowList.assign(
-    rows, rows + (this->Nodes.empty() ? 0 : this->Nodes.back().rows + static_cast<std::size_t>(this->Nodes.back().height)));
+  this->RowList.assign(rows,
+    rows +
+      (this->Nodes.empty()
+          ? 0
+          : this->Nodes.back().rows + static_cast<std::size_t>(this->Nodes.back().height)));
   for (Node& node : this->Nodes)
   {
-    const int below =
-      node.height > node.width ? this->RowsOf(node)[node.width] : this->Inner;
+    const int below = node.height > node.width ? this->RowsOf(node)[node.width] : this->Inner;
     node.parent = below < this->Inner ? this->NodeOf[static_cast<std::size_t>(below)] : -1;
   }
   this->Values.resize(size);

@@ -179,7 +179,8 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
 void WithAllThreads(const std::function<void()>& function)
 {
   const int threads = TeamSize(MaximumPartCount);
-  if (PartsTrace::Active() != nullptr || Team::Present != nullptr || threads == 1 || omp_in_parallel() != 0)
+  if (PartsTrace::Active() != nullptr || Team::Present != nullptr || threads == 1 ||
+    omp_in_parallel() != 0)
   {
     function();
     return;

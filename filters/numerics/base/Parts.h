@@ -45,7 +45,10 @@ inline std::size_t PartCount(std::ptrdiff_t items, std::ptrdiff_t minimum = Mini
 inline std::pair<int, int> PartRange(std::ptrdiff_t items, std::size_t part, std::size_t parts)
 {
   const auto bound = [&](std::size_t i)
-  { return static_cast<int>(items * static_cast<std::ptrdiff_t>(i) / static_cast<std::ptrdiff_t>(parts)); };
+  {
+    return static_cast<int>(
+      items * static_cast<std::ptrdiff_t>(i) / static_cast<std::ptrdiff_t>(parts));
+  };
   return { bound(part), bound(part + 1) };
 }
 

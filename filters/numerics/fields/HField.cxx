@@ -1,9 +1,9 @@
 #include "HField.h"
 
-#include "Parts.h"
 #include "ConfigurationPlacement.h"
 #include "ConjugateField.h"
 #include "Error.h"
+#include "Parts.h"
 #include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
 #include "TriangleArea.h"

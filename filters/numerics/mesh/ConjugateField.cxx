@@ -42,8 +42,8 @@ public:
     for (std::size_t part = 0; part < this->Links.size(); ++part)
     {
       const auto [begin, end] = this->RangeOf(part);
-      std::fill(this->PartOf.begin() + begin, this->PartOf.begin() + end,
-        static_cast<std::uint8_t>(part));
+      std::fill(
+        this->PartOf.begin() + begin, this->PartOf.begin() + end, static_cast<std::uint8_t>(part));
     }
   }
 
@@ -63,7 +63,8 @@ public:
         {
           if (this->ComponentOf[static_cast<std::size_t>(t)] < 0)
           {
-            this->IntegrateComponent(part, t, this->Edges.ofTriangle[static_cast<std::size_t>(t)][0],
+            this->IntegrateComponent(part, t,
+              this->Edges.ofTriangle[static_cast<std::size_t>(t)][0],
               Eigen::VectorXd::Zero(this->Functions));
           }
         }
@@ -154,8 +155,8 @@ private:
   }
 
   /// Continues values from the midpoint of one edge of a triangle to that of another.
-  void Step(int t, std::size_t i, std::size_t other, const Eigen::VectorXd& from,
-    Eigen::VectorXd& to) const
+  void Step(
+    int t, std::size_t i, std::size_t other, const Eigen::VectorXd& from, Eigen::VectorXd& to) const
   {
     const auto& triangle = this->Mesh.triangles[static_cast<std::size_t>(t)];
     const auto point = [&](std::size_t k) -> const Point&
@@ -227,8 +228,8 @@ private:
       {
         for (int e = begin; e < end; ++e)
         {
-          this->Values.col(e) += constants.col(
-            componentOf(this->Edges.triangles[static_cast<std::size_t>(e)][0]));
+          this->Values.col(e) +=
+            constants.col(componentOf(this->Edges.triangles[static_cast<std::size_t>(e)][0]));
         }
       });
   }

@@ -97,15 +97,14 @@ public:
     for (std::size_t range = 0; range < this->Ranges; ++range)
     {
       const auto [begin, end] = PartRange(size, range, this->Ranges);
-      std::fill(
-        rangeOf.begin() + begin, rangeOf.begin() + end, static_cast<std::uint8_t>(range));
+      std::fill(rangeOf.begin() + begin, rangeOf.begin() + end, static_cast<std::uint8_t>(range));
     }
     ForParts(this->Parts,
       [&](std::size_t part)
       {
         std::vector<int>* const lists = this->Lists.data() + part * this->Ranges;
-        const auto [begin, end] = PartRange(
-          static_cast<std::ptrdiff_t>(this->Entries.size()), part, this->Parts);
+        const auto [begin, end] =
+          PartRange(static_cast<std::ptrdiff_t>(this->Entries.size()), part, this->Parts);
         for (int i = begin; i < end; ++i)
         {
           const SymmetricEntry& entry = this->Entries[static_cast<std::size_t>(i)];

@@ -145,8 +145,7 @@ PositionEnergy::Flows PositionEnergy::Solve(const Configuration& configuration,
     {
       for (auto h = static_cast<std::size_t>(first); h < static_cast<std::size_t>(last); ++h)
       {
-        turns[static_cast<Eigen::Index>(h)] =
-          SumOfTurns(begin, end, halves[h].from, halves[h].to);
+        turns[static_cast<Eigen::Index>(h)] = SumOfTurns(begin, end, halves[h].from, halves[h].to);
       }
     },
     pointsOfPart);

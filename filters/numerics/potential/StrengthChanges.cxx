@@ -16,7 +16,7 @@ namespace
 /// memory.
 constexpr std::size_t BatchSize = 256;
 /// Minimum number of columns in a part.
-constexpr std::ptrdiff_t ColumnsOfPart = 4;
+constexpr std::ptrdiff_t MinimumColumns = 4;
 
 /// Returns the factor of log|x − y| in W for two logarithms of unit strength.
 double InteractionFactor(const LogSource& one, const LogSource& other)
@@ -139,7 +139,7 @@ void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) cons
         column.defects += carried.col(c);
       }
     },
-    ColumnsOfPart);
+    MinimumColumns);
 }
 
 std::size_t StrengthChanges::Prepare(const std::vector<Place>& places)
@@ -164,7 +164,7 @@ std::size_t StrengthChanges::Prepare(const std::vector<Place>& places)
         *added[i] = this->MakeColumn(newPlaces[i]);
       }
     },
-    ColumnsOfPart);
+    MinimumColumns);
   for (std::size_t begin = 0; begin < added.size(); begin += BatchSize)
   {
     const auto first = added.begin() + static_cast<std::ptrdiff_t>(begin);

@@ -1,8 +1,8 @@
 #include "UnitNormField.h"
 
 #include "AlignedPotential.h"
-#include "Parts.h"
 #include "ConjugateField.h"
+#include "Parts.h"
 
 namespace crossfield
 {

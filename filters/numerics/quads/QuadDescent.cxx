@@ -27,8 +27,7 @@ template <typename Function>
 double QuadDescent::Sum(const Function& function) const
 {
   return SumOfRanges(
-    this->Size,
-    [&](Eigen::Index begin, Eigen::Index end) { return function(begin, end - begin); },
+    this->Size, [&](Eigen::Index begin, Eigen::Index end) { return function(begin, end - begin); },
     MinimumUnknowns);
 }
 

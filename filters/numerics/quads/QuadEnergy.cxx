@@ -210,8 +210,7 @@ void QuadEnergy::ListCorners()
       ++this->FirstCorner[Index(p) + 1];
     }
   }
-  std::partial_sum(
-    this->FirstCorner.begin(), this->FirstCorner.end(), this->FirstCorner.begin());
+  std::partial_sum(this->FirstCorner.begin(), this->FirstCorner.end(), this->FirstCorner.begin());
   std::vector<int> next(this->FirstCorner.begin(), this->FirstCorner.end() - 1);
   this->Corners.resize(4 * this->Mesh.quads.size());
   for (int corner = 0; corner < static_cast<int>(this->Corners.size()); ++corner)

@@ -91,9 +91,9 @@ private:
   std::vector<int> OnBoundary; ///< Points that move along the boundary.
   std::vector<BoundaryTerm> BoundaryTerms;
   Eigen::VectorXd Diagonal;
-  Eigen::VectorXd Slope;                    ///< The tilt, empty if there is none.
-  Eigen::VectorXd Origin;                   ///< Unknowns at which the tilt vanishes.
-  Eigen::VectorXd Positions;                ///< Positions of all points.
+  Eigen::VectorXd Slope;                     ///< The tilt, empty if there is none.
+  Eigen::VectorXd Origin;                    ///< Unknowns at which the tilt vanishes.
+  Eigen::VectorXd Positions;                 ///< Positions of all points.
   std::vector<std::array<Point, 4>> OfQuads; ///< Gradients of the quads, if they are in parts.
   /// Corners, four times the quad plus its corner, at each point, and the first of each point.
   std::vector<int> Corners;

@@ -39,8 +39,7 @@ FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
         double sum = 0.0;
         for (std::size_t i = 0; i < 3; ++i)
         {
-          steps[t][i] =
-            WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
+          steps[t][i] = WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
           sum += steps[t][i];
         }
         indices.ofTriangle[t] = Turns(sum);

@@ -49,7 +49,8 @@ TEST(PartialCholesky, EqualsDenseElimination)
       const Eigen::MatrixXd inner = dense.topLeftCorner(size, size);
       const Eigen::MatrixXd across = dense.bottomLeftCorner(border, size);
       const Eigen::MatrixXd l = inner.llt().matrixL();
-      const Eigen::MatrixXd m = l.triangularView<Eigen::Lower>().solve(across.transpose()).transpose();
+      const Eigen::MatrixXd m =
+        l.triangularView<Eigen::Lower>().solve(across.transpose()).transpose();
       const Eigen::MatrixXd expected = (-m * m.transpose()).eval().triangularView<Eigen::Lower>();
       const Eigen::MatrixXd found = update.triangularView<Eigen::Lower>();
       EXPECT_LE((found - expected).norm(), 1e-13 * (1.0 + expected.norm()));
@@ -66,8 +67,7 @@ TEST(PartialCholesky, EqualsDenseElimination)
         EXPECT_LE((down.bottomRows(border) - (load.bottomRows(border) - m * y)).norm(), 1e-12);
         Eigen::MatrixXd up = load;
         factor.SolveUpper(up);
-        const Eigen::MatrixXd right =
-          load.topRows(size) - m.transpose() * load.bottomRows(border);
+        const Eigen::MatrixXd right = load.topRows(size) - m.transpose() * load.bottomRows(border);
         EXPECT_LE(
           (up.topRows(size) - l.transpose().triangularView<Eigen::Upper>().solve(right)).norm(),
           1e-12);
@@ -85,8 +85,7 @@ TEST(PartialCholesky, EqualsDenseElimination)
       {
         solved.middleRows(rows.first, rows.values.rows()) = rows.values;
       }
-      const Eigen::MatrixXd all =
-        l.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(sparse));
+      const Eigen::MatrixXd all = l.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(sparse));
       EXPECT_LE((solved - all).norm(), 1e-13);
       EXPECT_LE((atBorder + m * all).norm(), 1e-13);
     }

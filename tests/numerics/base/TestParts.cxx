@@ -62,8 +62,7 @@ TEST(Parts, EveryPartRunsOnceAlsoInsideOfParts)
   {
     const WithThreads with(threads);
     std::vector<std::atomic<int>> calls(20 * 30);
-    ForParts(20,
-      [&](std::size_t i) { ForParts(30, [&](std::size_t j) { ++calls[30 * i + j]; }); });
+    ForParts(20, [&](std::size_t i) { ForParts(30, [&](std::size_t j) { ++calls[30 * i + j]; }); });
     WithAllThreads([&] { ForParts(600, [&](std::size_t i) { ++calls[i]; }); });
     for (const std::atomic<int>& count : calls)
     {

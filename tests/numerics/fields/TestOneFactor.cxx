@@ -1,7 +1,7 @@
 #include "ConfigurationEnergy.h"
+#include "FactorisationCount.h"
 #include "HField.h"
 #include "PerforatedSolve.h"
-#include "FactorisationCount.h"
 #include "Support.h"
 
 namespace crossfield::test

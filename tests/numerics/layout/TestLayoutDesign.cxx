@@ -2,8 +2,8 @@
 
 #include "DomainQueries.h"
 #include "Error.h"
-#include "MeshForPoints.h"
 #include "FactorisationCount.h"
+#include "MeshForPoints.h"
 #include "Support.h"
 #include "TMeshPatches.h"
 
