@@ -16,15 +16,13 @@ for module in base geometry mesh algebra; do
   flags+=("-Ifilters/numerics/$module")
 done
 sources=(tests/threads/ThreadRun.cxx filters/numerics/base/*.cxx filters/numerics/mesh/SymmetricAssembly.cxx
-  filters/numerics/algebra/{Dense,Diss,Fact,Gram,Nested,Partial,Serial,Sparse}*.cxx)
+  filters/numerics/algebra/{Cholmod,Dense,Diss,Fact,Gram,Nested,Partial,Serial,Sparse}*.cxx)
 objects=()
 for source in "${sources[@]}"; do
   object=$folder/$(basename "$source").o
   objects+=("$object")
-  if [[ ! $object -nt $source ]]; then
-    clang++-14 "${flags[@]}" -c "$source" -o "$object" &
-    [[ $(jobs -rp | wc -l) -lt 2 ]] || wait -n
-  fi
+  clang++-14 "${flags[@]}" -c "$source" -o "$object" &
+  [[ $(jobs -rp | wc -l) -lt 2 ]] || wait -n
 done
 wait
 clang++-14 -fsanitize=thread -fopenmp "${objects[@]}" -o "$folder/threadRun" -lcholmod -lopenblas -Wl,-rpath,"$llvm/lib"
