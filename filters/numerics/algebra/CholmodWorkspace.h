@@ -50,15 +50,13 @@ struct ReleaseFactor
 };
 using CholmodFactor = std::unique_ptr<cholmod_factor, ReleaseFactor>;
 
-/// Returns a view of a compressed matrix, of which only the lower triangle is read.
-cholmod_sparse LowerView(const Eigen::SparseMatrix<double>& matrix);
+/// Throws Error when an entry of a matrix is not finite.
+void RequireFinite(const Eigen::SparseMatrix<double>& matrix);
 
-/// Throws Error if CHOLMOD has run out of memory, or of numbers for the entries of the factor of a
-/// matrix of the given size.
-void RequireSuccess(const cholmod_common& common, Eigen::Index size);
-
-/// Analyses a matrix for the order `order`, or for the order of its rows if `order` is null. Throws
-/// Error when there is not enough memory or the factor has too many entries.
-CholmodFactor AnalyseInOrder(const Eigen::SparseMatrix<double>& matrix, CholmodWorkspace& workspace,
+/// Factors a compressed matrix, of which only the lower triangle is read, in the order `order`, or
+/// in the order of its rows if `order` is null. Stops at the first pivot that is not positive;
+/// factor->minor is its column, or the number of columns if there is none. All supernodes before it
+/// are valid then. Throws Error when there is not enough memory or the factor has too many entries.
+CholmodFactor FactorInOrder(const Eigen::SparseMatrix<double>& matrix, CholmodWorkspace& workspace,
   const std::vector<int>* order = nullptr);
 }

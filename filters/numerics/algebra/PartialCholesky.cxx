@@ -4,11 +4,9 @@
 #include "DenseProduct.h"
 #include "Lapack.h"
 #include "SerialBlas.h"
-#include "SerialRegions.h"
 #include "SparseCholesky.h"
 
-#include <cmath>
-#include <memory>
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -18,6 +16,7 @@ namespace
 {
 constexpr double One = 1.0;
 constexpr double MinusOne = -1.0;
+constexpr double Zero = 0.0;
 
 /// Computes result = factor × A B + before × result, or with Aᵀ.
 void Multiply(const char* turned, int rows, int inner, const double* a, int leadingOfA,
@@ -40,145 +39,133 @@ void Multiply(const char* turned, int rows, int inner, const double* a, int lead
   dgemm_(turned, "N", &rows, &count, &inner, &factor, a, &leadingOfA, b.data(), &leadingOfB,
     &before, result.data(), &leading, 1, 1);
 }
+
+/// Returns the columns of the inner unknowns, then one with a negative pivot, then empty ones.
+Eigen::SparseMatrix<double> WithLastPivot(const Eigen::SparseMatrix<double>& lower, int inner)
+{
+  Eigen::SparseMatrix<double> matrix(lower.rows() + 1, lower.cols() + 1);
+  matrix.reserve(lower.outerIndexPtr()[inner] + 1);
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+  {
+    matrix.startVec(j);
+    if (j == inner)
+    {
+      matrix.insertBack(j, j) = -1.0;
+    }
+    else if (j < inner)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, j); entry; ++entry)
+      {
+        matrix.insertBack(entry.row() + (entry.row() < inner ? 0 : 1), j) = entry.value();
+      }
+    }
+  }
+  matrix.finalize();
+  return matrix;
 }
+}
+
+struct PartialCholesky::Factor
+{
+  CholmodWorkspace workspace;
+  CholmodFactor factor;
+};
 
 PartialCholesky::PartialCholesky(
   const Eigen::SparseMatrix<double>& lower, int inner, Eigen::Ref<Eigen::MatrixXd> border)
   : Inner(inner)
+  , Data(std::make_unique<Factor>())
 {
-  const double* const values = lower.valuePtr();
-  if (!std::all_of(
-        values, values + lower.nonZeros(), [](double value) { return std::isfinite(value); }))
+  RequireFinite(lower);
+  this->Data->factor = FactorInOrder(WithLastPivot(lower, inner), this->Data->workspace);
+  if (this->Data->factor->minor < static_cast<std::size_t>(inner))
   {
-    throw Error("The matrix has entries that are not finite; the mesh has degenerate triangles, "
-                "remesh it.");
+    throw NotPositiveDefinite();
   }
-  const SerialBlas serial;
-  this->Analyse(lower);
-  this->Eliminate(lower, border);
+  this->ReadNodes();
+  this->UpdateBorder(border);
 }
 
-void PartialCholesky::Analyse(const Eigen::SparseMatrix<double>& lower)
+PartialCholesky::~PartialCholesky() = default;
+
+void PartialCholesky::ReadNodes()
 {
-  const SerialRegions regions;
-  CholmodWorkspace workspace;
-  const CholmodFactor factor = AnalyseInOrder(lower, workspace);
-  const auto* columnStarts = static_cast<const int*>(factor->super);
-  const auto* rowStarts = static_cast<const int*>(factor->pi);
-  const auto* rows = static_cast<const int*>(factor->s);
+  cholmod_factor& factor = *this->Data->factor;
+  const auto* columnStarts = static_cast<const int*>(factor.super);
+  const auto* rowStarts = static_cast<const int*>(factor.pi);
+  const auto* valueStarts = static_cast<const int*>(factor.px);
+  const auto* rows = static_cast<const int*>(factor.s);
+  // No supernode has inner unknowns and others: the inserted column is the root of its own tree.
+  std::size_t count = 0;
+  while (columnStarts[count] < this->Inner)
+  {
+    ++count;
+  }
   this->NodeOf.resize(static_cast<std::size_t>(this->Inner));
-  std::size_t size = 0;
-  for (std::size_t s = 0; s < factor->nsuper && columnStarts[s] < this->Inner; ++s)
+  this->RowList.assign(rows, rows + rowStarts[count]);
+  for (int& row : this->RowList)
+  {
+    row -= row > this->Inner ? 1 : 0; // the inserted row
+  }
+  for (std::size_t s = 0; s < count; ++s)
   {
     Node node;
     node.first = columnStarts[s];
-    node.width = std::min(columnStarts[s + 1], this->Inner) - node.first; // may include the border
+    node.width = columnStarts[s + 1] - node.first;
     node.height = rowStarts[s + 1] - rowStarts[s];
     node.rows = static_cast<std::size_t>(rowStarts[s]);
-    node.values = size;
-    size += static_cast<std::size_t>(node.width) * static_cast<std::size_t>(node.height);
+    node.values = static_cast<std::size_t>(valueStarts[s]);
+    const int* const own = this->RowsOf(node);
+    node.inner = static_cast<int>(std::lower_bound(own, own + node.height, this->Inner) - own);
     std::fill_n(
       this->NodeOf.begin() + node.first, node.width, static_cast<int>(this->Nodes.size()));
     this->Nodes.push_back(node);
   }
-  this->RowList.assign(rows,
-    rows +
-      (this->Nodes.empty()
-          ? 0
-          : this->Nodes.back().rows + static_cast<std::size_t>(this->Nodes.back().height)));
   for (Node& node : this->Nodes)
   {
-    const int below = node.height > node.width ? this->RowsOf(node)[node.width] : this->Inner;
-    node.parent = below < this->Inner ? this->NodeOf[static_cast<std::size_t>(below)] : -1;
+    node.parent = node.inner > node.width
+      ? this->NodeOf[static_cast<std::size_t>(this->RowsOf(node)[node.width])]
+      : -1;
   }
-  this->Values.resize(size);
+
+  // Release the columns of the border, which are dense and empty, and the workspace.
+  cholmod_common* const common = this->Data->workspace.Get();
+  factor.x = cholmod_realloc(
+    static_cast<std::size_t>(valueStarts[count]), sizeof(double), factor.x, &factor.xsize, common);
+  cholmod_free_work(common);
+  this->Values = static_cast<const double*>(factor.x);
 }
 
-void PartialCholesky::Eliminate(
-  const Eigen::SparseMatrix<double>& lower, Eigen::Ref<Eigen::MatrixXd> border)
+void PartialCholesky::UpdateBorder(Eigen::Ref<Eigen::MatrixXd> border) const
 {
-  const std::size_t count = this->Nodes.size();
-  // −M Mᵀ of each node below its own columns, until its parent has added it, and the lists of the
-  // nodes with the same parent.
-  std::vector<std::unique_ptr<double[]>> updates(count);
-  std::vector<int> firstChild(count, -1);
-  std::vector<int> nextChild(count, -1);
-  std::vector<int> place(static_cast<std::size_t>(lower.rows())); // of a row in the present node
-  for (std::size_t n = 0; n < count; ++n)
+  const SerialBlas serial;
+  const auto leadingOfBorder = static_cast<int>(border.outerStride());
+  Eigen::MatrixXd product;
+  for (const Node& node : this->Nodes)
   {
-    const Node& node = this->Nodes[n];
-    const int* const rows = this->RowsOf(node);
-    for (int k = 0; k < node.height; ++k)
-    {
-      place[static_cast<std::size_t>(rows[k])] = k;
-    }
-
-    // 1. Add the entries of the matrix, and the updates of the nodes below.
-    double* const values = this->Values.data() + node.values;
-    for (int j = 0; j < node.width; ++j)
-    {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, node.first + j); entry; ++entry)
-      {
-        values[place[static_cast<std::size_t>(entry.row())] +
-          static_cast<std::ptrdiff_t>(j) * node.height] += entry.value();
-      }
-    }
-    const int rest = node.height - node.width;
-    const auto square = static_cast<std::size_t>(rest) * static_cast<std::size_t>(rest);
-    std::unique_ptr<double[]> update(rest > 0 ? new double[square]() : nullptr);
-    for (int child = firstChild[n]; child >= 0; child = nextChild[static_cast<std::size_t>(child)])
-    {
-      const Node& below = this->Nodes[static_cast<std::size_t>(child)];
-      const int* const ofChild = this->RowsOf(below) + below.width;
-      const int size = below.height - below.width;
-      const double* source = updates[static_cast<std::size_t>(child)].get();
-      for (int j = 0; j < size; ++j, source += size)
-      {
-        const int column = place[static_cast<std::size_t>(ofChild[j])];
-        double* const target = column < node.width
-          ? values + static_cast<std::ptrdiff_t>(column) * node.height
-          : update.get() + static_cast<std::ptrdiff_t>(column - node.width) * rest - node.width;
-        for (int i = j; i < size; ++i)
-        {
-          target[place[static_cast<std::size_t>(ofChild[i])]] += source[i];
-        }
-      }
-      updates[static_cast<std::size_t>(child)].reset();
-    }
-
-    // 2. Eliminate the columns.
-    int info = 0;
-    dpotrf_("L", &node.width, values, &node.height, &info, 1);
-    if (info != 0)
-    {
-      throw NotPositiveDefinite();
-    }
-    if (rest == 0)
+    const int size = node.height - node.inner;
+    if (size == 0)
     {
       continue;
     }
-    double* const below = values + node.width;
-    dtrsm_("R", "L", "T", "N", &rest, &node.width, &One, values, &node.height, below, &node.height,
-      1, 1, 1, 1);
-    dsyrk_("L", "N", &rest, &node.width, &MinusOne, below, &node.height, &One, update.get(), &rest,
-      1, 1);
-
-    // 3. Pass the update on.
-    if (node.parent >= 0)
+    const double* const values = this->Values + node.values + node.inner;
+    const int* const rows = this->RowsOf(node) + node.inner;
+    if (rows[size - 1] - rows[0] == size - 1)
     {
-      updates[n] = std::move(update);
-      int& first = firstChild[static_cast<std::size_t>(node.parent)];
-      nextChild[n] = std::exchange(first, static_cast<int>(n));
+      const int first = rows[0] - this->Inner;
+      dsyrk_("L", "N", &size, &node.width, &MinusOne, values, &node.height, &One,
+        &border(first, first), &leadingOfBorder, 1, 1);
       continue;
     }
-    const int* const outer = rows + node.width;
-    for (int j = 0; j < rest; ++j)
+    product.resize(size, size);
+    dsyrk_("L", "N", &size, &node.width, &MinusOne, values, &node.height, &Zero, product.data(),
+      &size, 1, 1);
+    for (int j = 0; j < size; ++j)
     {
-      for (int i = j; i < rest; ++i)
+      double* const column = &border(0, rows[j] - this->Inner);
+      for (int i = j; i < size; ++i)
       {
-        border(outer[i] - this->Inner, outer[j] - this->Inner) +=
-          update[static_cast<std::size_t>(i) +
-            static_cast<std::size_t>(j) * static_cast<std::size_t>(rest)];
+        column[rows[i] - this->Inner] += product(i, j);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <memory>
 #include <vector>
 
 namespace crossfield
@@ -10,10 +11,11 @@ namespace crossfield
 /// Elimination of the inner unknowns of a symmetric positive definite matrix with a border, in the
 /// given order,
 ///   [ A_ii A_ibᵀ ; A_ib A_bb ] = [ L 0 ; M 1 ] [ 1 0 ; 0 S ] [ Lᵀ Mᵀ ; 0 1 ],  S = A_bb − M Mᵀ.
-/// CHOLMOD analyses the matrix. The blocks of columns with equal rows that it finds (supernodes) are
-/// eliminated as dense matrices, each of which passes M Mᵀ of its own columns to the next one that
-/// contains one of its rows (multifrontal; J. Liu, The multifrontal method for sparse matrix
-/// solution, 1992). CHOLMOD's own elimination would have to include the border.
+/// CHOLMOD computes L and M. It has no elimination of a part of the unknowns, and factoring S, which
+/// is dense, would take as long as everything else. So a column whose pivot is negative is inserted
+/// before the border: CHOLMOD ends there, with the columns before it complete (User Guide for
+/// CHOLMOD, member `minor` of cholmod_factor). It is coupled to no other, so it adds nothing. S is a
+/// sum of products of the blocks of columns with equal rows (supernodes) of M.
 ///
 /// Immutable after its construction: const functions may be called from several threads at once.
 class PartialCholesky
@@ -24,6 +26,10 @@ public:
   /// `border`. Throws Error when an entry is not finite, and NotPositiveDefinite when A_ii is not.
   PartialCholesky(
     const Eigen::SparseMatrix<double>& lower, int inner, Eigen::Ref<Eigen::MatrixXd> border);
+
+  ~PartialCholesky();
+  PartialCholesky(const PartialCholesky&) = delete;
+  PartialCholesky& operator=(const PartialCholesky&) = delete;
 
   int InnerCount() const { return this->Inner; }
 
@@ -49,28 +55,32 @@ private:
   /// Columns with equal rows. The first rows are those of the columns.
   struct Node
   {
-    int first = 0;          ///< First column.
-    int width = 0;          ///< Number of columns.
-    int height = 0;         ///< Number of rows.
-    int parent = -1;        ///< The node that contains the first row below the columns.
-    std::size_t rows = 0;   ///< First row in RowList.
+    int first = 0;        ///< First column.
+    int width = 0;        ///< Number of columns.
+    int height = 0;       ///< Number of rows.
+    int parent = -1;      ///< The node that contains the first row below the columns.
+    int inner = 0;        ///< Number of rows of inner unknowns, which precede those of the border.
+    std::size_t rows = 0; ///< First row in RowList.
     std::size_t values = 0; ///< First entry in Values, column by column.
   };
 
+  struct Factor;
+
   /// Finds the nodes.
-  void Analyse(const Eigen::SparseMatrix<double>& lower);
-  /// Computes the values.
-  void Eliminate(const Eigen::SparseMatrix<double>& lower, Eigen::Ref<Eigen::MatrixXd> border);
+  void ReadNodes();
+  /// Adds −M Mᵀ to the lower triangle.
+  void UpdateBorder(Eigen::Ref<Eigen::MatrixXd> border) const;
   const int* RowsOf(const Node& node) const { return this->RowList.data() + node.rows; }
   Eigen::Map<const Eigen::MatrixXd> ValuesOf(const Node& node) const
   {
-    return { this->Values.data() + node.values, node.height, node.width };
+    return { this->Values + node.values, node.height, node.width };
   }
 
   int Inner;
+  std::unique_ptr<Factor> Data;
   std::vector<Node> Nodes;
   std::vector<int> NodeOf; ///< Of each inner unknown.
   std::vector<int> RowList;
-  std::vector<double> Values;
+  const double* Values = nullptr; ///< Those of CHOLMOD's factor.
 };
 }

@@ -2,13 +2,10 @@
 
 #include "CholmodWorkspace.h"
 #include "FactorisationCount.h"
-#include "MemoryBudget.h"
 #include "SerialBlas.h"
 #include "SerialRegions.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace crossfield
 {
@@ -27,25 +24,10 @@ SparseCholesky::SparseCholesky(
   {
     throw Error("A factorisation needs a square compressed matrix and an order of all unknowns.");
   }
-  const auto* values = matrix.valuePtr();
-  if (!std::all_of(values, values + matrix.nonZeros(), [](double v) { return std::isfinite(v); }))
-  {
-    throw Error("The matrix has entries that are not finite; the mesh has degenerate triangles, "
-                "remesh it.");
-  }
+  RequireFinite(matrix);
   CountFactorisation();
-  const SerialBlas serial;
-  const SerialRegions regions;
-  this->Data->factor = AnalyseInOrder(matrix, this->Data->workspace, &order);
-  cholmod_factor* const factor = this->Data->factor.get();
-  RequireMemory(static_cast<double>(factor->xsize + factor->maxcsize) * sizeof(double),
-    "The factorisation of " + std::to_string(order.size()) + " unknowns",
-    "use a larger mesh size, fewer holes or fewer edges on them");
-  cholmod_sparse view = LowerView(matrix);
-  cholmod_common* const common = this->Data->workspace.Get();
-  cholmod_factorize(&view, factor, common);
-  RequireSuccess(*common, matrix.rows());
-  if (common->status != CHOLMOD_OK)
+  this->Data->factor = FactorInOrder(matrix, this->Data->workspace, &order);
+  if (this->Data->factor->minor < order.size())
   {
     throw NotPositiveDefinite();
   }
