@@ -99,6 +99,10 @@ TEST(PartialCholesky, RejectsIndefiniteAndNonFiniteMatrices)
   Eigen::MatrixXd update = Eigen::MatrixXd::Zero(10, 10);
   lower.coeffRef(45, 45) = -1.0; // in the border, which is not read
   EXPECT_NO_THROW(PartialCholesky(lower, 40, update));
+  const double last = lower.coeff(39, 39);
+  lower.coeffRef(39, 39) = -1.0; // the last inner unknown
+  EXPECT_THROW(PartialCholesky(lower, 40, update), NotPositiveDefinite);
+  lower.coeffRef(39, 39) = last;
   lower.coeffRef(30, 30) = -1.0;
   EXPECT_THROW(PartialCholesky(lower, 40, update), NotPositiveDefinite);
   lower.coeffRef(30, 30) = std::numeric_limits<double>::quiet_NaN();
