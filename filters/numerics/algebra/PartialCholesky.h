@@ -13,8 +13,8 @@ namespace crossfield
 ///   [ A_ii A_ibᵀ ; A_ib A_bb ] = [ L 0 ; M 1 ] [ 1 0 ; 0 S ] [ Lᵀ Mᵀ ; 0 1 ],  S = A_bb − M Mᵀ.
 /// CHOLMOD computes L and M. It has no elimination of a part of the unknowns, and factoring S, which
 /// is dense, would add a third to the operations. So a column whose pivot is negative is inserted
-/// before the border: CHOLMOD ends there, and the supernodes before it are valid (cholmod_core.h,
-/// member `minor` of cholmod_factor; comments in CHOLMOD/Supernodal/t_cholmod_super_numeric.c). It
+/// before the border: CHOLMOD ends there, and the supernodes before it are valid (the
+/// member `minor` of cholmod_factor, and comments in the source of cholmod_super_numeric). It
 /// is coupled to no other, so it adds nothing. S is a sum of products of the blocks of columns with
 /// equal rows (supernodes) of M.
 ///
