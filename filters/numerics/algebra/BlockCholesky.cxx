@@ -1,7 +1,7 @@
 #include "BlockCholesky.h"
 
-#include "BothHalves.h"
-#include "DenseHalves.h"
+#include "DenseParts.h"
+#include "Parts.h"
 
 #include <Eigen/Cholesky>
 
@@ -159,15 +159,16 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::ComputeTraces(
     }
     traces.forms(j, j) += separate.squares[j];
   };
-  ForBothHalves(inverse.rows() >= MinimumRowsForHalves,
-    [&](std::size_t half)
+  ForRanges(
+    count,
+    [&](int begin, int end)
     {
-      const auto [begin, end] = HalfRange(static_cast<int>(count), half);
       for (Eigen::Index j = begin; j < end; ++j)
       {
         add(j);
       }
-    });
+    },
+    inverse.rows() >= MinimumRowsForParts ? 1 : count + 1);
   for (Eigen::Index j = 0; j < count; ++j)
   {
     const Block& right = this->Blocks[static_cast<std::size_t>(j)];

@@ -1,11 +1,12 @@
 #include "DenseCholesky.h"
 
-#include "BothHalves.h"
-#include "DenseHalves.h"
+#include "DenseParts.h"
 #include "DenseProduct.h"
 #include "Lapack.h"
+#include "Parts.h"
 #include "SerialBlas.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace crossfield
@@ -19,9 +20,9 @@ DenseCholesky<Scalar>::DenseCholesky(Matrix matrix)
     return; // LAPACK rejects a leading dimension of 0
   }
   const SerialBlas serial;
-  if (this->Lower.rows() >= MinimumRowsForHalves)
+  if (this->Lower.rows() >= MinimumRowsForParts)
   {
-    this->PositiveDefinite = FactorInHalves<Scalar>(this->Lower);
+    this->PositiveDefinite = FactorInParts<Scalar>(this->Lower, this->Lower.cols());
   }
   else
   {
@@ -41,14 +42,16 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Form(Matrix column
     const SerialBlas serial;
     const auto size = static_cast<int>(columns.rows());
     const Scalar one = 1.0;
-    ForBothHalves(size >= MinimumRowsForHalves,
-      [&](std::size_t half)
+    constexpr Eigen::Index MinimumColumns = 32; // BLAS is slower with fewer
+    ForRanges(
+      columns.cols(),
+      [&](int begin, int end)
       {
-        const auto [begin, end] = HalfRange(static_cast<int>(columns.cols()), half);
         const int count = end - begin;
         Lapack<Scalar>::SolveTriangle("L", "L", "N", "N", &size, &count, &one, this->Lower.data(),
           &size, columns.data() + begin * columns.rows(), &size, 1, 1, 1, 1);
-      });
+      },
+      size >= MinimumRowsForParts ? MinimumColumns : std::max<Eigen::Index>(1, columns.cols()));
   }
   return AdjointProduct(columns, columns);
 }
@@ -60,9 +63,9 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Inverse() const
   if (inverse.size() > 0)
   {
     const SerialBlas serial;
-    if (inverse.rows() >= MinimumRowsForHalves)
+    if (inverse.rows() >= MinimumRowsForParts)
     {
-      InvertInHalves<Scalar>(inverse);
+      InvertInParts<Scalar>(inverse);
     }
     else
     {

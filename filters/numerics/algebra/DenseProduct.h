@@ -21,7 +21,9 @@ Eigen::MatrixXcd AdjointProduct(
 void AddMultiple(std::complex<double> factor, const Eigen::Ref<const Eigen::VectorXcd>& x,
   Eigen::Ref<Eigen::VectorXcd> y);
 
-/// Replaces B by L⁻¹ B, computed by BLAS (dtrsm). Only the lower triangle of L is read.
+/// Replaces B by L⁻¹ B, or by L⁻ᵀ B, computed by BLAS (dtrsm). Only the lower triangle of L is read.
 void SolveLowerInPlace(
+  const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> columns);
+void SolveLowerAdjointInPlace(
   const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> columns);
 }

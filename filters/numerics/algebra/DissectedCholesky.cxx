@@ -1,310 +1,419 @@
 #include "DissectedCholesky.h"
 
-#include "BothHalves.h"
-#include "Lapack.h"
+#include "DenseParts.h"
+#include "DenseProduct.h"
+#include "FactorisationCount.h"
 #include "MemoryBudget.h"
-#include "NestedDissection.h"
+#include "Parts.h"
 #include "SerialBlas.h"
+#include "SparseCholesky.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace crossfield
 {
 namespace
 {
-/// Returns the lower triangle of L Lᵀ, computed by BLAS.
-Eigen::MatrixXd TimesTranspose(const Eigen::MatrixXd& lower)
+/// Minimum number of right-hand side values for a substitution in parallel. With fewer, the threads
+/// wait for each other longer than they compute when other programs use the processors too, as in
+/// an optimiser that solves ten thousand times on a coarse mesh.
+constexpr Eigen::Index MinimumValuesInParallel = 20000;
+
+/// Minimum number of columns that are solved for together: enough for dense kernels, and few enough
+/// to remain in the cache.
+constexpr Eigen::Index ColumnsOfPart = 16;
+
+void RequireFinite(const Eigen::MatrixXd& matrix)
 {
-  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(lower.rows(), lower.rows());
-  if (lower.size() > 0)
+  if (!matrix.allFinite())
   {
-    const auto size = static_cast<int>(lower.rows());
-    const double one = 1.0;
-    const double zero = 0.0;
-    dsyrk_("L", "N", &size, &size, &one, lower.data(), &size, &zero, product.data(), &size, 1, 1);
+    throw Error("The matrix has entries that are not finite; the mesh has degenerate triangles, "
+                "remesh it.");
   }
-  return product;
-}
-
-/// Minimum number of right-hand side values for a substitution in two threads. With fewer, the
-/// threads wait for each other longer than they compute when other programs use the processors too,
-/// as in an optimiser that solves ten thousand times on a coarse mesh.
-constexpr Eigen::Index MinimumValuesForTwoThreads = 20000;
-
-Eigen::Index Count(const std::vector<int>& list)
-{
-  return static_cast<Eigen::Index>(list.size());
-}
-
-void AddTo(const std::vector<int>& positions, const Eigen::MatrixXd& part, Eigen::MatrixXd& whole)
-{
-  for (std::size_t j = 0; j < positions.size(); ++j)
-  {
-    for (std::size_t i = 0; i < positions.size(); ++i)
-    {
-      whole(positions[i], positions[j]) +=
-        part(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-    }
-  }
-}
-
-/// Returns the number of border unknowns that are coupled to a half.
-Eigen::Index CountCoupled(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& half,
-  const std::vector<int>& border)
-{
-  std::vector<char> inHalf(static_cast<std::size_t>(matrix.rows()), 0);
-  for (const int unknown : half)
-  {
-    inHalf[static_cast<std::size_t>(unknown)] = 1;
-  }
-  return std::count_if(border.begin(), border.end(),
-    [&](int unknown)
-    {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
-      {
-        if (inHalf[static_cast<std::size_t>(entry.row())] != 0)
-        {
-          return true;
-        }
-      }
-      return false;
-    });
-}
-
-/// Throws Error when the factors of both halves and the dense matrices on their borders do not fit
-/// into memory.
-void RequireMemoryForFactor(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection)
-{
-  const auto square = [](std::size_t n) { return static_cast<double>(n) * static_cast<double>(n); };
-  double entries = square(dissection.border.size());
-  for (const std::vector<int>* half : { &dissection.left, &dissection.right })
-  {
-    const Eigen::Index border = CountCoupled(matrix, *half, dissection.border);
-    // The last block of the half's factor, a copy of it, its square, and the matrix that is
-    // subtracted.
-    entries += DissectionFill(static_cast<double>(half->size())) +
-      4.0 * square(static_cast<std::size_t>(border));
-  }
-  RequireMemory(entries * sizeof(double),
-    "The factorisation of " + std::to_string(matrix.rows()) + " unknowns, of which " +
-      std::to_string(dissection.border.size()) +
-      " on holes and on the cut through the mesh are dense,",
-    "use a larger mesh size, fewer holes or fewer edges on them");
 }
 }
 
 DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<Point>& places, const std::vector<int>& trailing,
   const std::vector<int>& leftOut, const Progress& progress, const std::vector<int>& partners)
-  : Size(matrix.rows())
+  : Positions(static_cast<std::size_t>(matrix.rows()), -1)
+  , Size(matrix.rows())
 {
+  CountFactorisation();
   const SerialBlas serial;
-  Dissection dissection = Dissect(matrix, places, trailing, leftOut, partners);
-  RequireMemoryForFactor(matrix, dissection);
-  progress.Report(0.1);
-  this->Halves[0].unknowns = std::move(dissection.left);
-  this->Halves[1].unknowns = std::move(dissection.right);
-  this->Border = std::move(dissection.border);
-
-  const auto borderSize = static_cast<Eigen::Index>(this->Border.size());
-  std::vector<int> borderPosition(static_cast<std::size_t>(this->Size), -1);
-  for (std::size_t i = 0; i < this->Border.size(); ++i)
+  int first = 0;
+  for (DissectionPart& from : Dissect(matrix, places, trailing, leftOut, partners))
   {
-    borderPosition[static_cast<std::size_t>(this->Border[i])] = static_cast<int>(i);
-  }
-  Eigen::MatrixXd schur = Eigen::MatrixXd::Zero(borderSize, borderSize);
-  for (Eigen::Index j = 0; j < borderSize; ++j)
-  {
-    const int column = this->Border[static_cast<std::size_t>(j)];
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+    Part part;
+    part.unknowns = std::move(from.unknowns);
+    part.parent = from.parent;
+    part.first = first;
+    part.height = from.isLeaf ? 0 : 1;
+    for (const int unknown : part.unknowns)
     {
-      const int i = borderPosition[static_cast<std::size_t>(entry.row())];
-      if (i >= 0)
-      {
-        schur(i, j) = entry.value();
-      }
+      this->Positions[static_cast<std::size_t>(unknown)] = first++;
     }
+    this->Parts.push_back(std::move(part));
   }
-  std::array<Eigen::MatrixXd, 2> parts;
-  ForBothHalves(
-    true, [&](std::size_t half) { parts[half] = this->FactorHalf(matrix, this->Halves[half]); });
+  this->ConnectParts(matrix);
+  this->RequireMemoryForFactor();
+  progress.Report(0.1);
+
+  std::vector<Eigen::MatrixXd> updates(this->Parts.size());
+  WithAllThreads(
+    [&]
+    {
+      this->ForParts(true, true,
+        [&](std::size_t i) { updates[i] = this->FactorPart(matrix, this->Parts[i], updates); });
+    });
   progress.Report(0.9);
-  for (std::size_t half = 0; half < 2; ++half)
-  {
-    AddTo(this->Halves[half].border, parts[half], schur);
-  }
-  if (!schur.allFinite())
-  {
-    throw Error("The matrix has entries that are not finite; the mesh has degenerate triangles, "
-                "remesh it.");
-  }
-  this->BorderFactor = DenseCholesky<double>(std::move(schur));
-  if (!this->BorderFactor.IsPositiveDefinite())
+  Eigen::MatrixXd root = this->AssembleFront(matrix, this->Parts.back(), updates);
+  RequireFinite(root);
+  this->RootFactor = DenseCholesky<double>(std::move(root));
+  if (!this->RootFactor.IsPositiveDefinite())
   {
     throw NotPositiveDefinite();
   }
   const auto trailingSize = static_cast<Eigen::Index>(trailing.size());
-  this->TrailingFactor =
-    this->BorderFactor.GetLower().bottomRightCorner(trailingSize, trailingSize);
+  this->TrailingFactor = this->RootFactor.GetLower().bottomRightCorner(trailingSize, trailingSize);
 }
 
-Eigen::MatrixXd DissectedCholesky::FactorHalf(
-  const Eigen::SparseMatrix<double>& matrix, Half& half) const
+void DissectedCholesky::ConnectParts(const Eigen::SparseMatrix<double>& matrix)
 {
-  if (half.unknowns.empty())
-  {
-    return {}; // the matrix is so small that it consists of the border only
-  }
-
-  // 1. Find the border unknowns coupled to the half, in the order of the border.
-  std::vector<int> local(static_cast<std::size_t>(this->Size), -1); // position in elimination order
-  for (std::size_t i = 0; i < half.unknowns.size(); ++i)
-  {
-    local[static_cast<std::size_t>(half.unknowns[i])] = static_cast<int>(i);
-  }
-  for (std::size_t i = 0; i < this->Border.size(); ++i)
-  {
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, this->Border[i]); entry; ++entry)
+  // 1. The unknowns outside of a part that its own unknowns are coupled to.
+  crossfield::ForParts(this->Parts.size(),
+    [&](std::size_t i)
     {
-      if (local[static_cast<std::size_t>(entry.row())] >= 0)
+      Part& part = this->Parts[i];
+      const int end = part.first + static_cast<int>(part.unknowns.size());
+      for (const int unknown : part.unknowns)
       {
-        half.border.push_back(static_cast<int>(i));
-        break;
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
+        {
+          const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+          if (position >= end)
+          {
+            part.border.push_back(position);
+          }
+        }
+      }
+      std::sort(part.border.begin(), part.border.end());
+      part.border.erase(std::unique(part.border.begin(), part.border.end()), part.border.end());
+    });
+
+  // 2. Those of the parts below.
+  for (std::size_t i = 0; i + 1 < this->Parts.size(); ++i)
+  {
+    const Part& part = this->Parts[i];
+    Part& above = this->Parts[static_cast<std::size_t>(part.parent)];
+    above.height = std::max(above.height, part.height + 1);
+    above.below.push_back(static_cast<int>(i));
+    const int end = above.first + static_cast<int>(above.unknowns.size());
+    const auto outside = std::lower_bound(part.border.begin(), part.border.end(), end);
+    std::vector<int> border;
+    std::set_union(outside, part.border.end(), above.border.begin(), above.border.end(),
+      std::back_inserter(border));
+    above.border = std::move(border);
+    this->Levels.resize(std::max(this->Levels.size(), static_cast<std::size_t>(part.height) + 1));
+    this->Levels[static_cast<std::size_t>(part.height)].push_back(static_cast<int>(i));
+  }
+  for (std::size_t i = 0; i + 1 < this->Parts.size(); ++i)
+  {
+    Part& part = this->Parts[i];
+    for (const int position : part.border)
+    {
+      part.inParent.push_back(
+        LocalRow(this->Parts[static_cast<std::size_t>(part.parent)], position));
+    }
+  }
+}
+
+int DissectedCholesky::LocalRow(const Part& part, int position)
+{
+  const int size = static_cast<int>(part.unknowns.size());
+  if (position < part.first + size)
+  {
+    return position < part.first ? -1 : position - part.first;
+  }
+  const auto found = std::lower_bound(part.border.begin(), part.border.end(), position);
+  return found == part.border.end() || *found != position
+    ? -1
+    : size + static_cast<int>(found - part.border.begin());
+}
+
+void DissectedCholesky::RequireMemoryForFactor() const
+{
+  double entries = 0.0;
+  for (const Part& part : this->Parts)
+  {
+    const auto size = static_cast<double>(part.Size());
+    const auto border = static_cast<double>(part.border.size());
+    // The update on the border exists until the part above has added it.
+    entries += border * border + (part.height == 0 ? DissectionFill(size) : size * (size + border));
+  }
+  RequireMemory(entries * sizeof(double),
+    "The factorisation of " + std::to_string(this->Size) + " unknowns, of which " +
+      std::to_string(this->Parts.back().unknowns.size()) +
+      " on holes and on the cut through the mesh are dense,",
+    "use a larger mesh size, fewer holes or fewer edges on them");
+}
+
+void DissectedCholesky::ForParts(
+  bool parallel, bool upwards, const std::function<void(std::size_t)>& function) const
+{
+  const std::size_t levels = this->Levels.size();
+  for (std::size_t i = 0; i < levels; ++i)
+  {
+    const std::vector<int>& level = this->Levels[upwards ? i : levels - 1 - i];
+    const auto call = [&](std::size_t part) { function(static_cast<std::size_t>(level[part])); };
+    if (parallel)
+    {
+      crossfield::ForParts(level.size(), call);
+      continue;
+    }
+    for (std::size_t part = 0; part < level.size(); ++part)
+    {
+      call(part);
+    }
+  }
+}
+
+Eigen::MatrixXd DissectedCholesky::AssembleFront(const Eigen::SparseMatrix<double>& matrix,
+  const Part& part, std::vector<Eigen::MatrixXd>& updates) const
+{
+  Eigen::MatrixXd front = Eigen::MatrixXd::Zero(part.Rows(), part.Rows());
+  for (Eigen::Index j = 0; j < part.Size(); ++j)
+  {
+    const int unknown = part.unknowns[static_cast<std::size_t>(j)];
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
+    {
+      const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+      if (position >= part.first + j)
+      {
+        front(LocalRow(part, position), j) += entry.value();
       }
     }
   }
-
-  // 2. Extract the lower triangle of the matrix on both sets, in elimination order.
-  const auto innerSize = static_cast<int>(half.unknowns.size());
-  const auto borderSize = static_cast<int>(half.border.size());
-  for (int i = 0; i < borderSize; ++i)
+  for (const int below : part.below)
   {
-    local[static_cast<std::size_t>(
-      this->Border[static_cast<std::size_t>(half.border[static_cast<std::size_t>(i)])])] =
-      innerSize + i;
+    const std::vector<int>& rows = this->Parts[static_cast<std::size_t>(below)].inParent;
+    Eigen::MatrixXd& update = updates[static_cast<std::size_t>(below)];
+    // Rows of the border keep their order, so the lower triangle stays the lower one.
+    for (std::size_t j = 0; j < rows.size(); ++j)
+    {
+      for (std::size_t i = j; i < rows.size(); ++i)
+      {
+        front(rows[i], rows[j]) +=
+          update(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      }
+    }
+    update.resize(0, 0);
   }
-  Eigen::SparseMatrix<double> part(innerSize + borderSize, innerSize + borderSize);
-  part.reserve(matrix.nonZeros() / 3);
-  Eigen::MatrixXd before = Eigen::MatrixXd::Zero(borderSize, borderSize);
-  std::vector<std::pair<int, double>> column;
-  for (int j = 0; j < innerSize + borderSize; ++j)
+  return front;
+}
+
+Eigen::MatrixXd DissectedCholesky::FactorPart(const Eigen::SparseMatrix<double>& matrix, Part& part,
+  std::vector<Eigen::MatrixXd>& updates) const
+{
+  if (part.height == 0)
   {
-    const int unknown = j < innerSize
-      ? half.unknowns[static_cast<std::size_t>(j)]
-      : this
-          ->Border[static_cast<std::size_t>(half.border[static_cast<std::size_t>(j - innerSize)])];
+    return this->FactorLeaf(matrix, part);
+  }
+  Eigen::MatrixXd front = this->AssembleFront(matrix, part, updates);
+  RequireFinite(front);
+  if (!FactorInParts<double>(front, part.Size()))
+  {
+    throw NotPositiveDefinite();
+  }
+  part.lower = front.leftCols(part.Size());
+  part.lower.triangularView<Eigen::StrictlyUpper>().setZero();
+  const auto border = static_cast<Eigen::Index>(part.border.size());
+  return front.bottomRightCorner(border, border);
+}
+
+Eigen::MatrixXd DissectedCholesky::FactorLeaf(
+  const Eigen::SparseMatrix<double>& matrix, Part& part) const
+{
+  // The columns of the leaf, on and below the diagonal, in its local rows.
+  Eigen::SparseMatrix<double> lower(part.Rows(), part.Rows());
+  Eigen::Index entries = 0;
+  for (const int unknown : part.unknowns)
+  {
+    entries += matrix.outerIndexPtr()[unknown + 1] - matrix.outerIndexPtr()[unknown];
+  }
+  lower.reserve(entries);
+  std::vector<std::pair<int, double>> column;
+  for (Eigen::Index j = 0; j < part.Rows(); ++j)
+  {
+    lower.startVec(j);
+    if (j >= part.Size())
+    {
+      continue;
+    }
     column.clear();
+    const int unknown = part.unknowns[static_cast<std::size_t>(j)];
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
     {
-      const int i = local[static_cast<std::size_t>(entry.row())];
-      if (i >= j)
+      const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+      if (position >= part.first + j)
       {
-        column.emplace_back(i, entry.value());
-      }
-      if (i >= innerSize && j >= innerSize)
-      {
-        before(i - innerSize, j - innerSize) = entry.value();
+        column.emplace_back(LocalRow(part, position), entry.value());
       }
     }
     std::sort(
       column.begin(), column.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    part.startVec(j);
     for (const auto& [row, value] : column)
     {
-      part.insertBack(row, j) = value;
+      lower.insertBack(row, j) = value;
     }
   }
-  part.finalize();
-
-  // 3. Factor it; return the Schur complement on the border without the border's own entries.
-  std::vector<int> order(static_cast<std::size_t>(innerSize + borderSize));
-  std::iota(order.begin(), order.end(), 0);
-  half.factor = std::make_unique<SparseCholesky>(part, order);
-  half.borderFactor = half.factor->TrailingFactor(borderSize);
-  // The lower triangle is sufficient: the half keeps the order of the border, so no entry moves to
-  // the upper one.
-  return TimesTranspose(half.borderFactor) - before;
+  lower.finalize();
+  const auto border = static_cast<Eigen::Index>(part.border.size());
+  Eigen::MatrixXd update = Eigen::MatrixXd::Zero(border, border);
+  part.leaf = std::make_unique<PartialCholesky>(lower, static_cast<int>(part.Size()), update);
+  return update;
 }
 
 DissectedCholesky::Eliminated DissectedCholesky::Eliminate(
   const Eigen::MatrixXd& rightHandSides) const
 {
+  const SerialBlas serial;
   Eliminated eliminated;
-  std::array<Eigen::MatrixXd, 2> ofBorder;
-  ForBothHalves(rightHandSides.size() >= MinimumValuesForTwoThreads,
-    [&](std::size_t h)
-    {
-      const Half& half = this->Halves[h];
-      if (half.unknowns.empty())
-      {
-        eliminated.halves[h].resize(0, rightHandSides.cols());
-        return;
-      }
-      Eigen::MatrixXd load =
-        Eigen::MatrixXd::Zero(Count(half.unknowns) + Count(half.border), rightHandSides.cols());
-      for (Eigen::Index i = 0; i < Count(half.unknowns); ++i)
-      {
-        load.row(i) = rightHandSides.row(half.unknowns[static_cast<std::size_t>(i)]);
-      }
-      const Eigen::MatrixXd solved = half.factor->SolveLower(load);
-      eliminated.halves[h] = solved.topRows(Count(half.unknowns));
-      ofBorder[h] = half.borderFactor * solved.bottomRows(Count(half.border));
-    });
-  eliminated.border.resize(Count(this->Border), rightHandSides.cols());
-  for (Eigen::Index i = 0; i < Count(this->Border); ++i)
+  for (const Part& part : this->Parts)
   {
-    eliminated.border.row(i) = rightHandSides.row(this->Border[static_cast<std::size_t>(i)]);
+    eliminated.parts.emplace_back(part.Size(), rightHandSides.cols());
   }
-  for (std::size_t h = 0; h < 2; ++h)
-  {
-    for (Eigen::Index i = 0; i < Count(this->Halves[h].border); ++i)
-    {
-      eliminated.border.row(this->Halves[h].border[static_cast<std::size_t>(i)]) +=
-        ofBorder[h].row(i);
-    }
-  }
-  this->BorderFactor.GetLower().triangularView<Eigen::Lower>().solveInPlace(eliminated.border);
+  eliminated.border = std::move(eliminated.parts.back());
+  eliminated.parts.pop_back();
+  ForRanges(
+    rightHandSides.cols(),
+    [&](int begin, int end) { this->EliminateColumns(rightHandSides, begin, end, eliminated); },
+    ColumnsOfPart);
   return eliminated;
+}
+
+void DissectedCholesky::EliminateColumns(const Eigen::MatrixXd& rightHandSides, Eigen::Index begin,
+  Eigen::Index end, Eliminated& eliminated) const
+{
+  const Eigen::Index count = end - begin;
+  // What the elimination of a part adds to its border.
+  std::vector<Eigen::MatrixXd> ofBorders(this->Parts.size());
+  const auto load = [&](const Part& part)
+  {
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(part.Rows(), count);
+    for (Eigen::Index column = 0; column < count; ++column)
+    {
+      for (Eigen::Index i = 0; i < part.Size(); ++i)
+      {
+        columns(i, column) =
+          rightHandSides(part.unknowns[static_cast<std::size_t>(i)], begin + column);
+      }
+    }
+    for (const int below : part.below)
+    {
+      const std::vector<int>& rows = this->Parts[static_cast<std::size_t>(below)].inParent;
+      const Eigen::MatrixXd& added = ofBorders[static_cast<std::size_t>(below)];
+      for (Eigen::Index column = 0; column < count; ++column)
+      {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+        {
+          columns(rows[i], column) += added(static_cast<Eigen::Index>(i), column);
+        }
+      }
+    }
+    return columns;
+  };
+  this->ForParts(count * this->Size >= MinimumValuesInParallel, true,
+    [&](std::size_t i)
+    {
+      const Part& part = this->Parts[i];
+      Eigen::MatrixXd columns = load(part);
+      const Eigen::Index outside = part.Rows() - part.Size();
+      if (part.leaf)
+      {
+        part.leaf->SolveLower(columns);
+      }
+      else
+      {
+        SolveLowerInPlace(part.lower.topRows(part.Size()), columns.topRows(part.Size()));
+        columns.bottomRows(outside) -=
+          DenseProduct(part.lower.bottomRows(outside), columns.topRows(part.Size()));
+      }
+      eliminated.parts[i].middleCols(begin, count) = columns.topRows(part.Size());
+      ofBorders[i] = columns.bottomRows(outside);
+    });
+  auto root = eliminated.border.middleCols(begin, count);
+  root = load(this->Parts.back());
+  SolveLowerInPlace(this->RootFactor.GetLower(), root);
 }
 
 Eigen::MatrixXd DissectedCholesky::Substitute(const Eliminated& eliminated) const
 {
-  const Eigen::Index columns = eliminated.border.cols();
-  Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(this->Size, columns);
-  const Eigen::MatrixXd border =
-    this->BorderFactor.GetLower().transpose().triangularView<Eigen::Upper>().solve(
-      eliminated.border);
-  for (Eigen::Index i = 0; i < Count(this->Border); ++i)
-  {
-    solution.row(this->Border[static_cast<std::size_t>(i)]) = border.row(i);
-  }
-  ForBothHalves(solution.size() >= MinimumValuesForTwoThreads,
-    [&](std::size_t h)
-    {
-      const Half& half = this->Halves[h];
-      if (half.unknowns.empty())
-      {
-        return;
-      }
-      Eigen::MatrixXd next(Count(half.border), columns);
-      for (Eigen::Index i = 0; i < Count(half.border); ++i)
-      {
-        next.row(i) = border.row(half.border[static_cast<std::size_t>(i)]);
-      }
-      Eigen::MatrixXd load(Count(half.unknowns) + Count(half.border), columns);
-      load << eliminated.halves[h], half.borderFactor.transpose() * next;
-      const Eigen::MatrixXd solved = half.factor->SolveUpper(load);
-      for (Eigen::Index i = 0; i < Count(half.unknowns); ++i)
-      {
-        solution.row(half.unknowns[static_cast<std::size_t>(i)]) = solved.row(i);
-      }
-    });
+  const SerialBlas serial;
+  Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(this->Size, eliminated.border.cols());
+  ForRanges(
+    solution.cols(),
+    [&](int begin, int end) { this->SubstituteColumns(eliminated, begin, end, solution); },
+    ColumnsOfPart);
   if (!solution.allFinite())
   {
     throw Error("The solution of the linear system is not finite; the mesh has degenerate "
                 "triangles, remesh the domain.");
   }
   return solution;
+}
+
+void DissectedCholesky::SubstituteColumns(const Eliminated& eliminated, Eigen::Index begin,
+  Eigen::Index end, Eigen::MatrixXd& solution) const
+{
+  const Eigen::Index count = end - begin;
+  // Solutions in the local rows of all parts.
+  std::vector<Eigen::MatrixXd> solved(this->Parts.size());
+  const auto store = [&](const Part& part, const Eigen::MatrixXd& local)
+  {
+    for (Eigen::Index column = 0; column < count; ++column)
+    {
+      for (Eigen::Index i = 0; i < part.Size(); ++i)
+      {
+        solution(part.unknowns[static_cast<std::size_t>(i)], begin + column) = local(i, column);
+      }
+    }
+  };
+  solved.back() = eliminated.border.middleCols(begin, count);
+  SolveLowerAdjointInPlace(this->RootFactor.GetLower(), solved.back());
+  store(this->Parts.back(), solved.back());
+  this->ForParts(count * this->Size >= MinimumValuesInParallel, false,
+    [&](std::size_t i)
+    {
+      const Part& part = this->Parts[i];
+      const Eigen::MatrixXd& above = solved[static_cast<std::size_t>(part.parent)];
+      const Eigen::Index outside = part.Rows() - part.Size();
+      Eigen::MatrixXd& local = solved[i];
+      local.resize(part.Rows(), count);
+      local.topRows(part.Size()) = eliminated.parts[i].middleCols(begin, count);
+      for (Eigen::Index column = 0; column < count; ++column)
+      {
+        for (std::size_t k = 0; k < part.inParent.size(); ++k)
+        {
+          local(part.Size() + static_cast<Eigen::Index>(k), column) =
+            above(part.inParent[k], column);
+        }
+      }
+      if (part.leaf)
+      {
+        part.leaf->SolveUpper(local);
+      }
+      else
+      {
+        local.topRows(part.Size()) -=
+          AdjointProduct(part.lower.bottomRows(outside), local.bottomRows(outside));
+        SolveLowerAdjointInPlace(part.lower.topRows(part.Size()), local.topRows(part.Size()));
+      }
+      store(part, local);
+      if (part.leaf)
+      {
+        local.resize(0, 0); // no part is below
+      }
+    });
 }
 }

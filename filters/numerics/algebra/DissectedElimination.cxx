@@ -1,12 +1,11 @@
-#include "BothHalves.h"
 #include "DenseProduct.h"
 #include "DissectedCholesky.h"
 #include "MemoryBudget.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -19,123 +18,75 @@ template <typename Parts>
 auto RowsAt(
   Parts& parts, const DissectedCholesky::SparseEliminated::Place& place, Eigen::Index count)
 {
-  auto& part = place.part < 2 ? parts.halves[place.part] : parts.border;
+  auto& part = place.part < parts.parts.size() ? parts.parts[place.part] : parts.border;
   return part.middleRows(place.first, count);
 }
 
-/// Returns the position of every unknown in a list, −1 for unknowns that are not in it.
-std::vector<int> PositionsIn(const std::vector<int>& unknowns, Eigen::Index size)
+/// Entries of one block in the local rows of a part.
+struct PartOfBlock
 {
-  std::vector<int> positions(static_cast<std::size_t>(size), -1);
-  for (std::size_t i = 0; i < unknowns.size(); ++i)
-  {
-    positions[static_cast<std::size_t>(unknowns[i])] = static_cast<int>(i);
-  }
-  return positions;
-}
-
-/// Returns matrices with `rows` rows that hold the rows of each block at their new positions.
-std::vector<Eigen::SparseMatrix<double>> SelectRows(
-  const std::vector<Eigen::SparseMatrix<double>>& blocks, const std::vector<int>& positions,
-  Eigen::Index rows)
-{
-  std::vector<Eigen::SparseMatrix<double>> parts;
-  for (const Eigen::SparseMatrix<double>& block : blocks)
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int column = 0; column < block.outerSize(); ++column)
-    {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(block, column); entry; ++entry)
-      {
-        const int row = positions[static_cast<std::size_t>(entry.row())];
-        if (row >= 0)
-        {
-          entries.emplace_back(row, column, entry.value());
-        }
-      }
-    }
-    parts.emplace_back(rows, block.cols());
-    parts.back().setFromTriplets(entries.begin(), entries.end());
-  }
-  return parts;
-}
-
-/// Adds the rows of all blocks, side by side, to the rows of a dense matrix at their new positions.
-void AddSelectedRows(const std::vector<Eigen::SparseMatrix<double>>& blocks,
-  const std::vector<int>& positions, const std::vector<Eigen::Index>& firsts, Eigen::MatrixXd& rows)
-{
-  for (std::size_t block = 0; block < blocks.size(); ++block)
-  {
-    for (int column = 0; column < blocks[block].outerSize(); ++column)
-    {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(blocks[block], column); entry; ++entry)
-      {
-        const int row = positions[static_cast<std::size_t>(entry.row())];
-        if (row >= 0)
-        {
-          rows(row, firsts[block] + column) += entry.value();
-        }
-      }
-    }
-  }
-}
-
-/// L⁻¹ B in one half, by supernodes.
-struct EliminatedHalf
-{
-  std::vector<GramNode> nodes;
-  std::vector<DissectedCholesky::SparseEliminated::Place> places;
-  Eigen::MatrixXd atBorder; ///< Rows of the half's border unknowns, which a supernode may contain.
+  int block = 0;
+  std::vector<Eigen::Triplet<double>> entries;
 };
 
-/// Gathers the rows of all blocks by supernode, and releases them. The half has number `part`,
-/// `inner` unknowns of its own and `outer` border unknowns.
-EliminatedHalf GatherNodes(std::vector<std::vector<SparseCholesky::Rows>>& solved, std::size_t part,
-  Eigen::Index inner, Eigen::Index outer, const std::vector<Eigen::Index>& firsts)
+/// L⁻¹ B in one part of the tree.
+struct EliminatedPart
 {
-  EliminatedHalf half;
-  half.atBorder = Eigen::MatrixXd::Zero(outer, firsts.back());
-  std::map<Eigen::Index, std::vector<std::pair<int, Eigen::MatrixXd>>> nodes;
-  for (std::size_t block = 0; block < solved.size(); ++block)
+  std::vector<GramNode> nodes;
+  std::vector<Eigen::Index> firsts; ///< First row of each node in the part.
+  std::vector<int> blocks;          ///< Blocks with entries at the border, in increasing order.
+  Eigen::MatrixXd atBorder;         ///< What the part adds to its border, block after block.
+};
+
+/// Eliminates the blocks in a leaf, and collects their rows by supernode.
+EliminatedPart EliminateInLeaf(const PartialCholesky& leaf, Eigen::Index border,
+  const std::vector<PartOfBlock>& parts, const std::vector<Eigen::Index>& firsts)
+{
+  EliminatedPart result;
+  Eigen::Index width = 0;
+  for (const PartOfBlock& part : parts)
   {
-    for (SparseCholesky::Rows& rows : solved[block])
+    const auto block = static_cast<std::size_t>(part.block);
+    result.blocks.push_back(part.block);
+    width += firsts[block + 1] - firsts[block];
+  }
+  result.atBorder = Eigen::MatrixXd::Zero(border, width);
+  std::map<int, std::vector<std::pair<int, Eigen::MatrixXd>>> nodes; // by first row
+  Eigen::Index column = 0;
+  for (const PartOfBlock& part : parts)
+  {
+    const auto block = static_cast<std::size_t>(part.block);
+    const Eigen::Index columns = firsts[block + 1] - firsts[block];
+    Eigen::SparseMatrix<double> matrix(leaf.InnerCount(), columns);
+    matrix.setFromTriplets(part.entries.begin(), part.entries.end());
+    for (PartialCholesky::Rows& rows :
+      leaf.SolveLowerSparse(matrix, result.atBorder.middleCols(column, columns)))
     {
-      const auto inside = std::clamp<Eigen::Index>(inner - rows.first, 0, rows.values.rows());
-      const Eigen::Index outside = rows.values.rows() - inside;
-      if (outside > 0)
-      {
-        half.atBorder.block(rows.first + inside - inner, firsts[block], outside,
-          rows.values.cols()) = rows.values.bottomRows(outside);
-      }
-      if (inside > 0)
-      {
-        nodes[rows.first].emplace_back(
-          static_cast<int>(block), Eigen::MatrixXd(rows.values.topRows(inside)));
-      }
-      rows.values.resize(0, 0);
+      nodes[rows.first].emplace_back(part.block, std::move(rows.values));
     }
+    column += columns;
   }
   for (auto& [first, members] : nodes)
   {
     GramNode node;
-    Eigen::Index width = 0;
+    width = 0;
     for (const auto& [block, values] : members)
     {
       node.blocks.push_back(block);
       width += values.cols();
     }
     node.rows.resize(members.front().second.rows(), width);
-    Eigen::Index column = 0;
+    column = 0;
     for (const auto& [block, values] : members)
     {
       node.rows.middleCols(column, values.cols()) = values;
       column += values.cols();
     }
-    half.nodes.push_back(std::move(node));
-    half.places.push_back({ part, first });
+    result.nodes.push_back(std::move(node));
+    result.firsts.push_back(first);
     members.clear();
   }
-  return half;
+  return result;
 }
 }
 
@@ -188,54 +139,145 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
     firsts.push_back(firsts.back() + block.cols());
   }
   RequireMemory(3.0 *
-      static_cast<double>(firsts.back() * static_cast<Eigen::Index>(this->Border.size())) *
+      static_cast<double>(
+        firsts.back() * static_cast<Eigen::Index>(this->Parts.back().unknowns.size())) *
       sizeof(double),
     "The influence of " + std::to_string(firsts.back()) +
       " edges of holes on the cut through the mesh",
     "use a larger mesh size, fewer holes or fewer edges on them");
-  std::array<EliminatedHalf, 2> halves;
-  std::array<Eigen::MatrixXd, 2> ofBorder;
-  ForBothHalves(true,
-    [&](std::size_t h)
+  // 1. Distribute the entries among the parts.
+  std::vector<std::vector<PartOfBlock>> ofParts(this->Parts.size());
+  for (std::size_t block = 0; block < blocks.size(); ++block)
+  {
+    for (int column = 0; column < blocks[block].outerSize(); ++column)
     {
-      const Half& half = this->Halves[h];
-      if (half.unknowns.empty())
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(blocks[block], column); entry; ++entry)
+      {
+        const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+        if (position < 0)
+        {
+          continue;
+        }
+        const auto next = std::upper_bound(this->Parts.begin(), this->Parts.end(), position,
+          [](int value, const Part& part) { return value < part.first; });
+        const auto part = static_cast<std::size_t>(next - this->Parts.begin()) - 1;
+        std::vector<PartOfBlock>& list = ofParts[part];
+        if (list.empty() || list.back().block != static_cast<int>(block))
+        {
+          list.push_back({ static_cast<int>(block), {} });
+        }
+        list.back().entries.emplace_back(position - this->Parts[part].first, column, entry.value());
+      }
+    }
+  }
+
+  // 2. Eliminate part after part. The root has all blocks.
+  std::vector<EliminatedPart> parts(this->Parts.size());
+  const auto load = [&](std::size_t i, std::vector<int>& active)
+  {
+    const Part& part = this->Parts[i];
+    for (const PartOfBlock& own : ofParts[i])
+    {
+      active.push_back(own.block);
+    }
+    for (const int below : part.below)
+    {
+      const std::vector<int>& others = parts[static_cast<std::size_t>(below)].blocks;
+      active.insert(active.end(), others.begin(), others.end());
+    }
+    std::sort(active.begin(), active.end());
+    active.erase(std::unique(active.begin(), active.end()), active.end());
+    std::vector<Eigen::Index> starts = { 0 }; // columns of the active blocks
+    for (const int block : active)
+    {
+      starts.push_back(starts.back() + firsts[static_cast<std::size_t>(block) + 1] -
+        firsts[static_cast<std::size_t>(block)]);
+    }
+    const auto startOf = [&](int block)
+    {
+      return starts[static_cast<std::size_t>(
+        std::lower_bound(active.begin(), active.end(), block) - active.begin())];
+    };
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(part.Rows(), starts.back());
+    for (const PartOfBlock& own : ofParts[i])
+    {
+      const Eigen::Index start = startOf(own.block);
+      for (const Eigen::Triplet<double>& entry : own.entries)
+      {
+        rows(entry.row(), start + entry.col()) += entry.value();
+      }
+    }
+    for (const int below : part.below)
+    {
+      EliminatedPart& from = parts[static_cast<std::size_t>(below)];
+      const std::vector<int>& places = this->Parts[static_cast<std::size_t>(below)].inParent;
+      Eigen::Index column = 0;
+      for (const int block : from.blocks)
+      {
+        const Eigen::Index start = startOf(block);
+        const Eigen::Index width =
+          firsts[static_cast<std::size_t>(block) + 1] - firsts[static_cast<std::size_t>(block)];
+        for (Eigen::Index c = 0; c < width; ++c)
+        {
+          for (std::size_t k = 0; k < places.size(); ++k)
+          {
+            rows(places[k], start + c) += from.atBorder(static_cast<Eigen::Index>(k), column + c);
+          }
+        }
+        column += width;
+      }
+      from.atBorder.resize(0, 0);
+    }
+    return rows;
+  };
+  this->ForParts(true, true,
+    [&](std::size_t i)
+    {
+      const Part& part = this->Parts[i];
+      const Eigen::Index border = part.Rows() - part.Size();
+      if (part.leaf)
+      {
+        parts[i] = EliminateInLeaf(*part.leaf, border, ofParts[i], firsts);
+        return;
+      }
+      EliminatedPart& result = parts[i];
+      const Eigen::MatrixXd rows = load(i, result.blocks);
+      if (result.blocks.empty())
       {
         return;
       }
-      const auto inner = static_cast<Eigen::Index>(half.unknowns.size());
-      const auto outer = static_cast<Eigen::Index>(half.border.size());
-      std::vector<std::vector<SparseCholesky::Rows>> solved = half.factor->SolveLowerSparse(
-        SelectRows(blocks, PositionsIn(half.unknowns, this->Size), inner + outer));
-      halves[h] = GatherNodes(solved, h, inner, outer, firsts);
-      ofBorder[h] = DenseProduct(half.borderFactor, halves[h].atBorder);
-      halves[h].atBorder.resize(0, 0);
+      GramNode node;
+      node.blocks = result.blocks;
+      node.rows = rows.topRows(part.Size());
+      SolveLowerInPlace(part.lower.topRows(part.Size()), node.rows);
+      result.atBorder =
+        rows.bottomRows(border) - DenseProduct(part.lower.bottomRows(border), node.rows);
+      result.nodes.push_back(std::move(node));
+      result.firsts.push_back(0);
     });
 
-  GramNode border;
-  border.rows =
-    Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Border.size()), firsts.back());
-  for (std::size_t h = 0; h < 2; ++h)
+  GramNode root;
+  for (const Eigen::SparseMatrix<double>& block : blocks)
   {
-    for (Eigen::Index i = 0; i < ofBorder[h].rows(); ++i)
-    {
-      border.rows.row(this->Halves[h].border[static_cast<std::size_t>(i)]) += ofBorder[h].row(i);
-    }
-    ofBorder[h].resize(0, 0);
+    root.blocks.push_back(static_cast<int>(&block - blocks.data()));
+    ofParts.back().push_back({ root.blocks.back(), {} });
   }
-  AddSelectedRows(blocks, PositionsIn(this->Border, this->Size), firsts, border.rows);
-  border.blocks.resize(blocks.size());
-  std::iota(border.blocks.begin(), border.blocks.end(), 0);
-  SolveLowerInPlace(this->BorderFactor.GetLower(), border.rows);
+  std::vector<int> all;
+  root.rows = load(this->Parts.size() - 1, all);
+  SolveLowerInPlace(this->RootFactor.GetLower(), root.rows);
+
   SparseEliminated result;
   result.firsts = std::move(firsts);
-  for (EliminatedHalf& half : halves)
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i)
   {
-    std::move(half.nodes.begin(), half.nodes.end(), std::back_inserter(result.nodes));
-    result.places.insert(result.places.end(), half.places.begin(), half.places.end());
+    for (const Eigen::Index first : parts[i].firsts)
+    {
+      result.places.push_back({ i, first });
+    }
+    std::move(parts[i].nodes.begin(), parts[i].nodes.end(), std::back_inserter(result.nodes));
   }
-  result.nodes.push_back(std::move(border));
-  result.places.push_back({ 2, 0 });
+  result.nodes.push_back(std::move(root));
+  result.places.push_back({ parts.size() - 1, 0 });
   return result;
 }
 }

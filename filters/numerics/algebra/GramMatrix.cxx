@@ -1,10 +1,9 @@
 #include "GramMatrix.h"
 
-#include "BothHalves.h"
 #include "DenseProduct.h"
+#include "Parts.h"
 #include "SerialBlas.h"
 
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -250,21 +249,31 @@ Eigen::VectorXd GramMatrix::SquaredCouplings() const
     squares.segment(this->First(block), this->Size(block)) += before.rowwise().squaredNorm();
     squares.head(this->First(block)) += before.colwise().squaredNorm().transpose();
   };
-  // Two tasks with about the same number of pairs of blocks.
   const SerialBlas serial;
+  // Later blocks have more blocks before them: the bounds of parts with equal numbers of pairs grow
+  // as square roots.
   const int count = this->BlockCount();
-  const std::array<int, 3> ends = { 0, static_cast<int>(count * std::sqrt(0.5)), count };
-  std::array<Eigen::VectorXd, 2> squares;
-  ForBothHalves(count > 1,
-    [&](std::size_t half)
+  const std::size_t parts = PartCount(count, 1);
+  const auto bound = [&](std::size_t part)
+  {
+    return static_cast<int>(
+      count * std::sqrt(static_cast<double>(part) / static_cast<double>(parts)));
+  };
+  std::vector<Eigen::VectorXd> squares(parts);
+  ForParts(parts,
+    [&](std::size_t part)
     {
-      squares[half] = Eigen::VectorXd::Zero(this->Rows());
+      squares[part] = Eigen::VectorXd::Zero(this->Rows());
       Eigen::MatrixXd before; // rows of a block in the columns of all blocks before it
-      for (int block = ends[half]; block < ends[half + 1]; ++block)
+      for (int block = bound(part); block < bound(part + 1); ++block)
       {
-        add(block, before, squares[half]);
+        add(block, before, squares[part]);
       }
     });
-  return squares[0] + squares[1];
+  for (std::size_t part = 1; part < parts; ++part)
+  {
+    squares[0] += squares[part];
+  }
+  return squares[0];
 }
 }

@@ -58,7 +58,7 @@ public:
   GramMatrix Congruence(const std::vector<Eigen::MatrixXd>& ofBlocks) const;
 
   /// Returns, for every column, the sum of squares of its entries outside its own block. Holds the
-  /// rows of only two blocks at a time.
+  /// rows of one block per thread at a time.
   Eigen::VectorXd SquaredCouplings() const;
 
 private:

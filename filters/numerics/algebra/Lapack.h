@@ -28,6 +28,13 @@ struct LapackTypes
     const int* leadingOfLeft, const Scalar* right, const int* leadingOfRight,
     const Scalar* factorOfResult, Scalar* result, const int* leadingOfResult,
     std::size_t ofLeftLength, std::size_t ofRightLength);
+  using SolveVector = void(const char* half, const char* turned, const char* unit, const int* size,
+    const Scalar* triangle, const int* leading, Scalar* vector, const int* step,
+    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
+  using MultiplyVector = void(const char* turned, const int* rows, const int* columns,
+    const Scalar* factor, const Scalar* matrix, const int* leading, const Scalar* vector,
+    const int* step, const Scalar* factorOfResult, Scalar* result, const int* stepOfResult,
+    std::size_t turnedLength);
   using AddMultiple = void(const int* size, const Scalar* factor, const Scalar* x,
     const int* stepOfX, Scalar* y, const int* stepOfY);
 };
@@ -39,6 +46,8 @@ extern "C"
   LapackTypes<double>::TriangleProduct dtrsm_, dtrmm_;
   LapackTypes<double>::Square dsyrk_;
   LapackTypes<double>::Multiply dgemm_;
+  LapackTypes<double>::SolveVector dtrsv_;
+  LapackTypes<double>::MultiplyVector dgemv_;
   LapackTypes<std::complex<double>>::MatrixFunction zpotrf_, zpotri_, zlauum_;
   LapackTypes<std::complex<double>>::TriangleFunction ztrtri_;
   LapackTypes<std::complex<double>>::TriangleProduct ztrsm_, ztrmm_;

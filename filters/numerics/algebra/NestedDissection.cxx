@@ -1,10 +1,13 @@
 #include "NestedDissection.h"
 
-#include "BothHalves.h"
+#include "Parts.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace crossfield
 {
@@ -13,6 +16,20 @@ namespace
 /// Number of unknowns below which a part is not split further: CHOLMOD treats its block as dense
 /// anyway.
 constexpr std::ptrdiff_t SmallestPart = 16;
+
+/// Number of unknowns up to which a part of the tree is a leaf: with fewer, the dense blocks on the
+/// separators would take most of the time.
+constexpr std::ptrdiff_t SmallestLeaf = 4096;
+
+/// Unknowns of a part of the tree that is not yet divided.
+struct OpenPart
+{
+  int* begin;
+  int* end;
+  int number;     ///< Last number that was used for parts around this one.
+  bool twoSheets; ///< Whether unknowns and their partners may both be in it.
+  int parent;     ///< Number in the list of parts.
+};
 
 class Dissector
 {
@@ -33,17 +50,31 @@ public:
     return this->PartOf[static_cast<std::size_t>(unknown)] == Excluded;
   }
 
-  /// Measures how many unknowns a cut meets per length in either direction: the rows of a lattice
-  /// are closer to each other than the points within a row.
-  void MeasureDensity(int* begin, int* end)
+  /// Measures how many couplings a cut meets per length in either direction, up to a common factor:
+  /// the rows of a lattice are closer to each other than the points within a row. A line across an
+  /// axis meets couplings in proportion to their lengths along the axis.
+  void MeasureDensity(const int* begin, const int* end)
   {
-    const Point sizes = this->Box(begin, end).sizes();
     for (int axis = 0; axis < 2; ++axis)
     {
-      const Halves halves = this->Split(begin, end, axis, -2 - axis);
-      const double length = sizes[1 - axis];
-      this->Density[axis] =
-        length > 0.0 ? static_cast<double>(end - halves.rightEnd) / length : 1.0;
+      this->Density[axis] = SumOfRanges(end - begin,
+        [&](int first, int last)
+        {
+          double sum = 0.0;
+          for (const int* unknown = begin + first; unknown != begin + last; ++unknown)
+          {
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Matrix, *unknown); entry;
+                 ++entry)
+            {
+              if (!this->IsExcluded(static_cast<int>(entry.row())))
+              {
+                sum += std::abs(
+                  this->Place(static_cast<int>(entry.row()))[axis] - this->Place(*unknown)[axis]);
+              }
+            }
+          }
+          return sum;
+        });
     }
   }
 
@@ -62,9 +93,10 @@ public:
     return this->Split(begin, end, axis, part);
   }
 
-  /// Puts the unknowns in [begin, end) into elimination order. Numbers its parts from `part` in
-  /// steps of two, so that two threads that order disjoint halves use different numbers.
-  /// `twoSheets`: unknowns and their partners may both be in the range.
+  /// Puts the unknowns in [begin, end) into elimination order. Numbers its parts after `part`.
+  /// Threads that order different leaves read only the numbers of their own leaf and of separators
+  /// above it, which do not change. `twoSheets`: unknowns and their partners may both be in the
+  /// range.
   void Order(int* begin, int* end, int& part, bool twoSheets)
   {
     if (twoSheets)
@@ -77,31 +109,23 @@ public:
     }
   }
 
-private:
-  static constexpr int Excluded = -1;
-
-  void OrderHalves(int* begin, int* end, int& part, bool twoSheets)
+  struct Component
   {
-    const Halves halves = this->Split(begin, end, part += 2);
-    this->Order(begin, halves.leftEnd, part, twoSheets);
-    this->Order(halves.leftEnd, halves.rightEnd, part, twoSheets);
-  }
+    int* begin;
+    int* end;
+    bool twoSheets;
+  };
 
-  /// Orders one connected component after the other.
-  void OrderComponents(int* begin, int* end, int& part)
+  /// Rearranges [begin, end) into its connected components, and numbers them after `part`.
+  std::vector<Component> FindComponents(int* begin, int* end, int& part)
   {
-    const int mine = part += 2;
+    const int mine = ++part;
     for (const int* unknown = begin; unknown != end; ++unknown)
     {
       this->PartOf[static_cast<std::size_t>(*unknown)] = mine;
     }
     std::vector<int> ordered;
     ordered.reserve(static_cast<std::size_t>(end - begin));
-    struct Component
-    {
-      std::size_t size;
-      bool twoSheets;
-    };
     std::vector<Component> components;
     for (const int* first = begin; first != end; ++first)
     {
@@ -110,7 +134,7 @@ private:
         continue;
       }
       const std::size_t start = ordered.size();
-      const int component = part += 2;
+      const int component = ++part;
       this->PartOf[static_cast<std::size_t>(*first)] = component;
       ordered.push_back(*first);
       for (std::size_t next = start; next < ordered.size(); ++next)
@@ -133,17 +157,72 @@ private:
             const int partner = this->Partners[static_cast<std::size_t>(unknown)];
             return partner >= 0 && this->PartOf[static_cast<std::size_t>(partner)] == component;
           });
-      components.push_back({ ordered.size() - start, twoSheets });
+      components.push_back({ begin + start, begin + ordered.size(), twoSheets });
     }
     std::copy(ordered.begin(), ordered.end(), begin);
-    for (const Component& component : components)
+    return components;
+  }
+
+  /// Divides a part of the tree. Several connected components are divided into two groups without a
+  /// separator, the first of which has at least a half of the unknowns.
+  struct Division
+  {
+    std::array<OpenPart, 2> below;
+    int* separator; ///< Its begin; it ends where the part ends.
+  };
+  Division Divide(const OpenPart& open, int parent)
+  {
+    int number = open.number;
+    bool twoSheets = open.twoSheets;
+    if (twoSheets)
     {
-      int* const componentEnd = begin + component.size;
-      if (componentEnd - begin > SmallestPart)
+      const std::vector<Component> components = this->FindComponents(open.begin, open.end, number);
+      if (components.size() > 1)
       {
-        this->OrderHalves(begin, componentEnd, part, component.twoSheets);
+        std::size_t first = 0;
+        while (2 * (components[first].end - open.begin) < open.end - open.begin)
+        {
+          ++first;
+        }
+        first = std::min(first, components.size() - 2);
+        const auto sheets = [&](std::size_t from, std::size_t to)
+        {
+          // Several components need the same treatment again.
+          return to - from > 1 || components[from].twoSheets;
+        };
+        int* const middle = components[first].end;
+        return { { OpenPart{ open.begin, middle, number, sheets(0, first + 1), parent },
+                   OpenPart{
+                     middle, open.end, number, sheets(first + 1, components.size()), parent } },
+          open.end };
       }
-      begin = componentEnd;
+      twoSheets = components.front().twoSheets;
+    }
+    const Halves halves = this->Split(open.begin, open.end, ++number);
+    return { { OpenPart{ open.begin, halves.leftEnd, number, twoSheets, parent },
+               OpenPart{ halves.leftEnd, halves.rightEnd, number, twoSheets, parent } },
+      halves.rightEnd };
+  }
+
+private:
+  static constexpr int Excluded = -1;
+
+  void OrderHalves(int* begin, int* end, int& part, bool twoSheets)
+  {
+    const Halves halves = this->Split(begin, end, ++part);
+    this->Order(begin, halves.leftEnd, part, twoSheets);
+    this->Order(halves.leftEnd, halves.rightEnd, part, twoSheets);
+  }
+
+  /// Orders one connected component after the other.
+  void OrderComponents(int* begin, int* end, int& part)
+  {
+    for (const Component& component : this->FindComponents(begin, end, part))
+    {
+      if (component.end - component.begin > SmallestPart)
+      {
+        this->OrderHalves(component.begin, component.end, part, component.twoSheets);
+      }
     }
   }
 
@@ -200,11 +279,45 @@ private:
   /// For each unknown, the number of the last right half that contained it.
   std::vector<int> PartOf;
 };
+
+/// Renumbers parts, of which the first is the root, so that each follows the parts below it.
+std::vector<DissectionPart> InPostorder(std::vector<DissectionPart> parts)
+{
+  std::vector<std::vector<int>> below(parts.size());
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    below[static_cast<std::size_t>(parts[i].parent)].push_back(static_cast<int>(i));
+  }
+  // Parts in reverse: each before those below it.
+  std::vector<int> order;
+  for (std::vector<int> open = { 0 }; !open.empty();)
+  {
+    const int part = open.back();
+    open.pop_back();
+    order.push_back(part);
+    const std::vector<int>& children = below[static_cast<std::size_t>(part)];
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  std::reverse(order.begin(), order.end());
+  std::vector<int> numbers(parts.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    numbers[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  }
+  std::vector<DissectionPart> sorted;
+  for (const int part : order)
+  {
+    sorted.push_back(std::move(parts[static_cast<std::size_t>(part)]));
+    int& parent = sorted.back().parent;
+    parent = parent < 0 ? -1 : numbers[static_cast<std::size_t>(parent)];
+  }
+  return sorted;
+}
 }
 
-Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-  const std::vector<int>& trailing, const std::vector<int>& leftOut,
-  const std::vector<int>& partners)
+std::vector<DissectionPart> Dissect(const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<Point>& places, const std::vector<int>& trailing,
+  const std::vector<int>& leftOut, const std::vector<int>& partners)
 {
   Dissector dissector(matrix, places, partners);
   for (int unknown : trailing)
@@ -227,31 +340,66 @@ Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<
   int* const begin = order.data();
   int* const end = begin + order.size();
   dissector.MeasureDensity(begin, end);
-  const Dissector::Halves halves = dissector.Split(begin, end, 1);
-  // Each thread reads only the parts of its own half and of the separator, which do not change.
-  ForBothHalves(true,
-    [&](std::size_t half)
+
+  // 1. Divide all parts of a level at once, from the root. Parts are numbered from the root here.
+  const std::ptrdiff_t leafSize =
+    std::max(SmallestLeaf, (end - begin) / static_cast<std::ptrdiff_t>(MaximumPartCount));
+  std::vector<DissectionPart> parts(1);
+  std::vector<OpenPart> leaves;
+  std::vector<OpenPart> level = { { begin, end, 0, !partners.empty(), 0 } };
+  if (end - begin <= leafSize)
+  {
+    leaves.swap(level); // below a root that has trailing unknowns only
+  }
+  for (bool isRoot = true; !level.empty(); isRoot = false)
+  {
+    std::vector<Dissector::Division> divisions(level.size());
+    const int first = isRoot ? 0 : static_cast<int>(parts.size());
+    ForParts(level.size(),
+      [&](std::size_t i)
+      { divisions[i] = dissector.Divide(level[i], first + static_cast<int>(i)); });
+    std::vector<OpenPart> next;
+    for (std::size_t i = 0; i < level.size(); ++i)
     {
-      // Numbers 2, 4, … on the left and 3, 5, … on the right; 1 was the right half.
-      auto part = static_cast<int>(half);
-      dissector.Order(half == 0 ? begin : halves.leftEnd,
-        half == 0 ? halves.leftEnd : halves.rightEnd, part, !partners.empty());
+      if (!isRoot)
+      {
+        parts.push_back({ {}, level[i].parent, false });
+      }
+      parts.back().unknowns.assign(divisions[i].separator, level[i].end);
+      for (const OpenPart& below : divisions[i].below)
+      {
+        (below.end - below.begin <= leafSize ? leaves : next).push_back(below);
+      }
+    }
+    level = std::move(next);
+  }
+  parts.front().unknowns.insert(parts.front().unknowns.end(), trailing.begin(), trailing.end());
+
+  // 2. Order the leaves.
+  ForParts(leaves.size(),
+    [&](std::size_t i)
+    {
+      int number = leaves[i].number;
+      dissector.Order(leaves[i].begin, leaves[i].end, number, leaves[i].twoSheets);
     });
-  Dissection dissection;
-  dissection.left.assign(begin, halves.leftEnd);
-  dissection.right.assign(halves.leftEnd, halves.rightEnd);
-  dissection.border.assign(halves.rightEnd, end);
-  dissection.border.insert(dissection.border.end(), trailing.begin(), trailing.end());
-  return dissection;
+  for (const OpenPart& leaf : leaves)
+  {
+    if (leaf.begin != leaf.end)
+    {
+      parts.push_back({ { leaf.begin, leaf.end }, leaf.parent, true });
+    }
+  }
+  return InPostorder(std::move(parts));
 }
 
 std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<Point>& places, const std::vector<int>& trailing)
 {
-  const Dissection dissection = Dissect(matrix, places, trailing);
-  std::vector<int> order = dissection.left;
-  order.insert(order.end(), dissection.right.begin(), dissection.right.end());
-  order.insert(order.end(), dissection.border.begin(), dissection.border.end());
+  std::vector<int> order;
+  for (const DissectionPart& part : Dissect(matrix, places, trailing))
+  {
+    order.insert(order.end(), part.unknowns.begin(), part.unknowns.end());
+  }
   return order;
 }
 

@@ -16,23 +16,29 @@ namespace crossfield
 std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<Point>& places, const std::vector<int>& trailing = {});
 
-/// The same elimination order, divided at its first separator. `left` and `right` are in
-/// elimination order, and no entry of the matrix couples them; `border` is the separator followed
-/// by `trailing`. Unknowns in `leftOut` are in none of the three. The halves are ordered in two
-/// threads.
+/// Part of a dissection: a leaf of its tree, whose unknowns are in elimination order, or the
+/// separator between the two parts below it.
+struct DissectionPart
+{
+  std::vector<int> unknowns;
+  int parent = -1; ///< Number of the part above; −1 for the root.
+  bool isLeaf = false;
+};
+
+/// Returns the same elimination order, divided along the first separators into a tree of parts. No
+/// entry of the matrix couples a part to any other than those above and below it. A part follows the
+/// parts below it; the last one is the root, which is not a leaf. It ends with `trailing`. Unknowns
+/// in `leftOut` are in no part.
+///
+/// The number of unknowns determines the tree: a part with up to 1/32 of them, or up to 4096, is a
+/// leaf. Parts are divided and ordered in parallel.
 ///
 /// `partners` holds, for every unknown, another one at the same position, or −1; it is empty if
 /// there are none. Parts of such a mesh of two sheets may be disconnected, for example into the two
 /// sheets; connected components are then separated first, without a separator.
-struct Dissection
-{
-  std::vector<int> left;
-  std::vector<int> right;
-  std::vector<int> border;
-};
-Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-  const std::vector<int>& trailing, const std::vector<int>& leftOut = {},
-  const std::vector<int>& partners = {});
+std::vector<DissectionPart> Dissect(const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<Point>& places, const std::vector<int>& trailing,
+  const std::vector<int>& leftOut = {}, const std::vector<int>& partners = {});
 
 /// Returns a bound on the number of entries of the factor of a matrix with one unknown per vertex
 /// of a planar mesh of n vertices, eliminated by nested dissection: 31/4 n log₂ n to leading order

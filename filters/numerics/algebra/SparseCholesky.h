@@ -34,29 +34,8 @@ public:
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// Returns the number of factorisations started by this process; tests use it to check that
-  /// factors are reused.
-  static long CountOfAll();
-
   /// Solves A X = B column by column. Throws Error when the result is not finite.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
-
-  /// Apply the two factors of Solve: L⁻¹ P B and Pᵀ L⁻ᵀ B. Rows of the result of the first
-  /// function, and of the argument of the second, are in elimination order.
-  Eigen::MatrixXd SolveLower(const Eigen::MatrixXd& rightHandSides) const;
-  Eigen::MatrixXd SolveUpper(const Eigen::MatrixXd& rightHandSides) const;
-
-  /// Consecutive rows of a matrix, starting at row `first`.
-  struct Rows
-  {
-    int first;
-    Eigen::MatrixXd values;
-  };
-  /// Computes L⁻¹ B for every sparse B in `blocks`: the non-zero rows of each, supernode by
-  /// supernode. They are on the paths of the elimination tree from the entries of B to the root.
-  /// Rows of B and of the result are in elimination order.
-  std::vector<std::vector<Rows>> SolveLowerSparse(
-    const std::vector<Eigen::SparseMatrix<double>>& blocks) const;
 
   /// Returns the lower triangular factor L_tt of the `count` trailing unknowns, the last ones of
   /// the order, in that order. L_tt L_ttᵀ is the Schur complement of A on them, which therefore
@@ -65,9 +44,6 @@ public:
 
 private:
   struct Factor;
-
-  /// Calls cholmod_solve with one of its system codes.
-  Eigen::MatrixXd Solve(int system, const Eigen::MatrixXd& rightHandSides) const;
 
   std::unique_ptr<Factor> Data;
 };

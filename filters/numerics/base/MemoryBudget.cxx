@@ -23,15 +23,6 @@ void Lower(std::optional<double>& minimum, double bytes)
   minimum = std::max(0.0, minimum.has_value() ? std::min(*minimum, bytes) : bytes);
 }
 
-/// Returns the number that a file consists of; nothing if the file does not exist or contains
-/// "max", the kernel's word for no limit.
-std::optional<double> ReadNumber(const std::string& file)
-{
-  std::ifstream stream(file);
-  double number = 0.0;
-  return stream >> number ? std::optional<double>(number) : std::nullopt;
-}
-
 /// Returns the number that follows a key at the beginning of a line.
 std::optional<double> ReadValue(const std::string& file, const std::string& key)
 {
@@ -64,55 +55,28 @@ void LowerToGroup(std::optional<double>& minimum, const std::string& folder,
   }
 }
 
-/// Applies the limits of a control group and of all its ancestors. In a container the path of the
-/// group is often not visible, but its root is.
-void LowerToGroups(std::optional<double>& minimum, const std::string& root, std::string path,
-  const std::string& limit, const std::string& usage, const std::string& cachePrefix)
+void LowerToControlGroups(std::optional<double>& minimum, const SystemFiles& files)
 {
-  while (true)
-  {
-    LowerToGroup(minimum, root + path, limit, usage, cachePrefix);
-    if (path.empty())
+  ForControlGroups(files, "memory",
+    [&minimum](const std::string& folder, int version)
     {
-      return;
-    }
-    path.erase(path.find_last_of('/'));
-  }
+      if (version == 2)
+      {
+        LowerToGroup(minimum, folder, "memory.max", "memory.current", "");
+      }
+      else
+      {
+        LowerToGroup(minimum, folder, "memory.limit_in_bytes", "memory.usage_in_bytes", "total_");
+      }
+    });
 }
 
-void LowerToControlGroups(std::optional<double>& minimum, const MemoryLimitFiles& files)
-{
-  std::ifstream groups(files.process + "/self/cgroup");
-  for (std::string line; std::getline(groups, line);) // number:controllers:/path
-  {
-    const auto first = line.find(':');
-    const auto second = line.find(':', first + 1);
-    if (first == std::string::npos || second == std::string::npos)
-    {
-      continue;
-    }
-    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
-    std::string path = line.substr(second + 1);
-    path.erase(0, path.find('/') == 0 ? 0 : path.size());
-    path.erase(path.find_last_not_of('/') + 1);
-    if (controllers == ",,")
-    {
-      LowerToGroups(minimum, files.controlGroups, path, "memory.max", "memory.current", "");
-    }
-    else if (controllers.find(",memory,") != std::string::npos)
-    {
-      LowerToGroups(minimum, files.controlGroups + "/memory", path, "memory.limit_in_bytes",
-        "memory.usage_in_bytes", "total_");
-    }
-  }
-}
-
-/// Address space reserved for two threads. OpenBLAS allocates a buffer for each of the two threads
+/// Address space reserved for two threads, the maximum with such a limit (ThreadLimit.h). OpenBLAS allocates a buffer for each of the two threads
 /// that call it and retries for ever when a limit on the address space denies it. The threads also
 /// need stacks of the default size.
 constexpr double ThreadReserve = 2.0 * (128.0 + 8.0) * 1024.0 * 1024.0;
 
-void LowerToAddressSpace(std::optional<double>& minimum, const MemoryLimitFiles& files)
+void LowerToAddressSpace(std::optional<double>& minimum, const SystemFiles& files)
 {
 #ifdef RLIMIT_AS
   rlimit limit = {};
@@ -137,7 +101,7 @@ const char* const OutOfThreads =
   "A thread could not be started: there is not enough memory for it, or their number is limited; "
   "use a larger mesh size, or raise the limit.";
 
-std::optional<double> AvailableMemory(const MemoryLimitFiles& files)
+std::optional<double> AvailableMemory(const SystemFiles& files)
 {
   std::optional<double> minimum;
   if (const auto kilobytes = ReadValue(files.process + "/meminfo", "MemAvailable:"))

@@ -1,22 +1,17 @@
 #pragma once
 
+#include "ControlGroups.h"
+
 #include <optional>
 #include <string>
 
 namespace crossfield
 {
-/// Folders from which memory limits are read; tests use other ones.
-struct MemoryLimitFiles
-{
-  std::string process = "/proc";
-  std::string controlGroups = "/sys/fs/cgroup";
-};
-
 /// Returns the number of bytes that this process may still allocate: the minimum of the machine's
 /// MemAvailable, of what the limits of its control groups (versions 1 and 2) leave besides page
 /// cache, and of what RLIMIT_AS leaves. Swap does not count. Returns nothing if none of them is
 /// known, as on systems other than Linux.
-std::optional<double> AvailableMemory(const MemoryLimitFiles& files = {});
+std::optional<double> AvailableMemory(const SystemFiles& files = {});
 
 /// Throws Error "<what> would need about … GiB of memory, more than the … GiB available; <remedy>."
 /// if `bytes` exceeds the available memory.

@@ -1,9 +1,9 @@
 #include "HField.h"
 
-#include "BothHalves.h"
 #include "ConfigurationPlacement.h"
 #include "ConjugateField.h"
 #include "Error.h"
+#include "Parts.h"
 #include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
 #include "TriangleArea.h"
@@ -83,7 +83,7 @@ Eigen::VectorXd AssembleValues(
   {
     integral += log.strength * LogIntegral(boundary, log.position);
   }
-  ParallelForHalves(count,
+  ForRanges(count,
     [&](int begin, int end)
     {
       for (int v = begin; v < end; ++v)
@@ -122,7 +122,7 @@ ComplexVector AssembleField(
   }
   const std::size_t singularities = solution.logs.size() - ofBoundary.size();
   ComplexVector u(phase.size());
-  ParallelForHalves(u.size(),
+  ForRanges(u.size(),
     [&](int begin, int end)
     {
       for (int e = begin; e < end; ++e)

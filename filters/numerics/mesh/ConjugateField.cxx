@@ -1,95 +1,272 @@
 #include "ConjugateField.h"
 
-#include "BothHalves.h"
+#include "Parts.h"
 #include "TriangleArea.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
 
 namespace crossfield
 {
+namespace
+{
+/// Value on an edge between two parts of the triangles, as found in one of them.
+struct LinkValue
+{
+  int edge;
+  int component;
+  Eigen::VectorXd values;
+};
+
+/// Integrates the conjugate in connected components of parts of the triangles, from any value in
+/// each component, and then finds the constants that make them fit.
+class PartwiseIntegral
+{
+public:
+  PartwiseIntegral(const TriangleMesh& mesh, const EdgeNumbering& edges,
+    const Eigen::MatrixXd& gradients, const std::vector<LogSource>& logs)
+    : Mesh(mesh)
+    , Edges(edges)
+    , Gradients(gradients)
+    , Logs(logs)
+    , Functions(gradients.rows() / 2)
+    , PartOf(mesh.triangles.size())
+    , Links(PartCount(static_cast<std::ptrdiff_t>(mesh.triangles.size())))
+    , ComponentOf(mesh.triangles.size(), -1)
+    , ComponentCounts(Links.size(), 0)
+    , Known(static_cast<std::size_t>(edges.Count()), 0)
+    , Values(Functions, edges.Count())
+  {
+    for (std::size_t part = 0; part < this->Links.size(); ++part)
+    {
+      const auto [begin, end] = this->RangeOf(part);
+      std::fill(
+        this->PartOf.begin() + begin, this->PartOf.begin() + end, static_cast<std::uint8_t>(part));
+    }
+  }
+
+  /// Returns the values on all edges, with given ones on the first edge.
+  Eigen::MatrixXd Integrate(int firstEdge, const Eigen::VectorXd& firstValues)
+  {
+    const int firstTriangle = this->Edges.triangles[static_cast<std::size_t>(firstEdge)][0];
+    ForParts(this->Links.size(),
+      [&](std::size_t part)
+      {
+        if (part == this->PartOf[static_cast<std::size_t>(firstTriangle)])
+        {
+          this->IntegrateComponent(part, firstTriangle, firstEdge, firstValues);
+        }
+        const auto [begin, end] = this->RangeOf(part);
+        for (int t = begin; t < end; ++t)
+        {
+          if (this->ComponentOf[static_cast<std::size_t>(t)] < 0)
+          {
+            this->IntegrateComponent(part, t,
+              this->Edges.ofTriangle[static_cast<std::size_t>(t)][0],
+              Eigen::VectorXd::Zero(this->Functions));
+          }
+        }
+      });
+    if (this->Links.size() > 1)
+    {
+      this->AddConstants(firstTriangle);
+    }
+    return std::move(this->Values);
+  }
+
+private:
+  std::pair<int, int> RangeOf(std::size_t part) const
+  {
+    return PartRange(
+      static_cast<std::ptrdiff_t>(this->Mesh.triangles.size()), part, this->Links.size());
+  }
+
+  /// Breadth-first search. Each triangle is entered once, through an edge with known values, and
+  /// these are continued to its other two edges.
+  void IntegrateComponent(
+    std::size_t part, int firstTriangle, int firstEdge, const Eigen::VectorXd& firstValues)
+  {
+    const int component = this->ComponentCounts[part]++;
+    struct Entry
+    {
+      int triangle;
+      int edge;
+    };
+    std::vector<Entry> queue = { { firstTriangle, firstEdge } };
+    const auto isLink = [&](int edge)
+    {
+      const auto& beside = this->Edges.triangles[static_cast<std::size_t>(edge)];
+      return beside[1] >= 0 &&
+        this->PartOf[static_cast<std::size_t>(beside[0])] !=
+        this->PartOf[static_cast<std::size_t>(beside[1])];
+    };
+    const auto reach = [&](int triangle, int edge, const Eigen::VectorXd& values)
+    {
+      const auto& beside = this->Edges.triangles[static_cast<std::size_t>(edge)];
+      if (isLink(edge))
+      {
+        this->Links[part].push_back({ edge, component, values });
+        if (beside[0] == triangle)
+        {
+          this->Values.col(edge) = values;
+        }
+        return;
+      }
+      this->Known[static_cast<std::size_t>(edge)] = 1;
+      this->Values.col(edge) = values;
+      for (const int t : beside)
+      {
+        if (t >= 0 && this->ComponentOf[static_cast<std::size_t>(t)] < 0)
+        {
+          queue.push_back({ t, edge });
+        }
+      }
+    };
+    reach(firstTriangle, firstEdge, firstValues);
+    Eigen::VectorXd from = firstValues;
+    Eigen::VectorXd to(this->Functions);
+    for (std::size_t next = 0; next < queue.size(); ++next)
+    {
+      const auto [t, edge] = queue[next];
+      if (this->ComponentOf[static_cast<std::size_t>(t)] >= 0)
+      {
+        continue;
+      }
+      this->ComponentOf[static_cast<std::size_t>(t)] = component;
+      if (next > 0)
+      {
+        from = this->Values.col(edge);
+      }
+      const auto& ofTriangle = this->Edges.ofTriangle[static_cast<std::size_t>(t)];
+      const auto i = static_cast<std::size_t>(
+        std::find(ofTriangle.begin(), ofTriangle.end(), edge) - ofTriangle.begin());
+      for (const std::size_t other : { i + 1, i + 2 })
+      {
+        const int toEdge = ofTriangle[other % 3];
+        if (this->Known[static_cast<std::size_t>(toEdge)] == 0)
+        {
+          this->Step(t, i, other, from, to);
+          reach(t, toEdge, to);
+        }
+      }
+    }
+  }
+
+  /// Continues values from the midpoint of one edge of a triangle to that of another.
+  void Step(
+    int t, std::size_t i, std::size_t other, const Eigen::VectorXd& from, Eigen::VectorXd& to) const
+  {
+    const auto& triangle = this->Mesh.triangles[static_cast<std::size_t>(t)];
+    const auto point = [&](std::size_t k) -> const Point&
+    { return this->Mesh.points[static_cast<std::size_t>(triangle[k % 3])]; };
+    const Point start = 0.5 * (point(i) + point(i + 1));
+    const Point end = 0.5 * (point(other) + point(other + 1));
+    const double turn =
+      SumOfTurns(this->Logs.data(), this->Logs.data() + this->Logs.size(), start, end);
+    for (Eigen::Index c = 0; c < this->Functions; ++c)
+    {
+      // rot g · Δ = g × Δ
+      to[c] = from[c] + Cross(this->Gradients.block<2, 1>(2 * c, t), end - start) + turn;
+    }
+  }
+
+  /// Adds the constants of all components, from that of the first triangle on.
+  void AddConstants(int firstTriangle)
+  {
+    std::vector<int> firsts = { 0 }; // first component of each part
+    for (const int count : this->ComponentCounts)
+    {
+      firsts.push_back(firsts.back() + count);
+    }
+    const auto componentOf = [&](int triangle)
+    {
+      const auto t = static_cast<std::size_t>(triangle);
+      return firsts[this->PartOf[t]] + this->ComponentOf[t];
+    };
+    struct Difference
+    {
+      int component;
+      Eigen::VectorXd values;
+    };
+    std::vector<std::vector<Difference>> differences(static_cast<std::size_t>(firsts.back()));
+    std::map<int, std::pair<int, const Eigen::VectorXd*>> firstSides; // of links, by edge
+    for (std::size_t part = 0; part < this->Links.size(); ++part)
+    {
+      for (const LinkValue& link : this->Links[part])
+      {
+        const int here = firsts[part] + link.component;
+        const auto [side, isFirst] = firstSides.insert({ link.edge, { here, &link.values } });
+        if (!isFirst)
+        {
+          const auto& [there, values] = side->second;
+          differences[static_cast<std::size_t>(there)].push_back({ here, *values - link.values });
+          differences[static_cast<std::size_t>(here)].push_back({ there, link.values - *values });
+        }
+      }
+    }
+    Eigen::MatrixXd constants = Eigen::MatrixXd::Zero(this->Functions, firsts.back());
+    std::vector<char> isFound(static_cast<std::size_t>(firsts.back()), 0);
+    std::vector<int> queue = { componentOf(firstTriangle) };
+    isFound[static_cast<std::size_t>(queue[0])] = 1;
+    for (std::size_t next = 0; next < queue.size(); ++next)
+    {
+      for (const Difference& difference : differences[static_cast<std::size_t>(queue[next])])
+      {
+        char& found = isFound[static_cast<std::size_t>(difference.component)];
+        if (found == 0)
+        {
+          found = 1;
+          constants.col(difference.component) = constants.col(queue[next]) + difference.values;
+          queue.push_back(difference.component);
+        }
+      }
+    }
+    ForRanges(this->Values.cols(),
+      [&](int begin, int end)
+      {
+        for (int e = begin; e < end; ++e)
+        {
+          this->Values.col(e) +=
+            constants.col(componentOf(this->Edges.triangles[static_cast<std::size_t>(e)][0]));
+        }
+      });
+  }
+
+  const TriangleMesh& Mesh;
+  const EdgeNumbering& Edges;
+  const Eigen::MatrixXd& Gradients;
+  const std::vector<LogSource>& Logs;
+  const Eigen::Index Functions;
+  std::vector<std::uint8_t> PartOf;          ///< Of each triangle.
+  std::vector<std::vector<LinkValue>> Links; ///< Of each part.
+  std::vector<int> ComponentOf;              ///< Of each triangle, in its part.
+  std::vector<int> ComponentCounts;          ///< Of each part.
+  std::vector<char> Known;                   ///< Edges inside of a part with values.
+  Eigen::MatrixXd Values;
+};
+}
+
 Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
   const Eigen::MatrixXd& gradients, int firstEdge, const Eigen::VectorXd& firstValues,
   const std::vector<LogSource>& logs)
 {
-  const Eigen::Index functions = firstValues.size();
-  Eigen::MatrixXd values(functions, edges.Count());
-  std::vector<char> known(static_cast<std::size_t>(edges.Count()), 0);
-  // Breadth-first search. Each triangle is entered once, through an edge with known values, and
-  // these are continued to its other two edges.
-  std::vector<char> passed(mesh.triangles.size(), 0);
-  struct Entry
-  {
-    int triangle;
-    int edge;
-  };
-  std::vector<Entry> queue;
-  queue.reserve(mesh.triangles.size());
-  const auto reach = [&](int edge)
-  {
-    known[static_cast<std::size_t>(edge)] = 1;
-    for (const int t : edges.triangles[static_cast<std::size_t>(edge)])
-    {
-      if (t >= 0 && passed[static_cast<std::size_t>(t)] == 0)
-      {
-        queue.push_back({ t, edge });
-      }
-    }
-  };
-  values.col(firstEdge) = firstValues;
-  reach(firstEdge);
-  for (std::size_t next = 0; next < queue.size(); ++next)
-  {
-    const auto [t, from] = queue[next];
-    if (passed[static_cast<std::size_t>(t)] == 0)
-    {
-      passed[static_cast<std::size_t>(t)] = 1;
-      const auto& ofTriangle = edges.ofTriangle[static_cast<std::size_t>(t)];
-      const auto& triangle = mesh.triangles[static_cast<std::size_t>(t)];
-      const auto point = [&](std::size_t i) -> const Point&
-      { return mesh.points[static_cast<std::size_t>(triangle[i % 3])]; };
-      const auto i = static_cast<std::size_t>(
-        std::find(ofTriangle.begin(), ofTriangle.end(), from) - ofTriangle.begin());
-      for (std::size_t other : { i + 1, i + 2 })
-      {
-        const int to = ofTriangle[other % 3];
-        if (known[static_cast<std::size_t>(to)] != 0)
-        {
-          continue;
-        }
-        // Step from the midpoint of edge i to that of edge `other`.
-        const Point start = 0.5 * (point(i) + point(i + 1));
-        const Point end = 0.5 * (point(other) + point(other + 1));
-        const double turn = SumOfTurns(logs.data(), logs.data() + logs.size(), start, end);
-        for (Eigen::Index c = 0; c < functions; ++c)
-        {
-          // rot g · Δ = g × Δ
-          values(c, to) =
-            values(c, from) + Cross(gradients.block<2, 1>(2 * c, t), end - start) + turn;
-        }
-        reach(to);
-      }
-    }
-  }
-  return values;
+  return PartwiseIntegral(mesh, edges, gradients, logs).Integrate(firstEdge, firstValues);
 }
 
 double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients)
 {
-  std::array<double, 2> energies = { 0.0, 0.0 };
-  const auto count = static_cast<int>(mesh.triangles.size());
-  ForBothHalves(count >= MinimumParallelCount,
-    [&](std::size_t half)
+  return SumOfRanges(static_cast<std::ptrdiff_t>(mesh.triangles.size()),
+    [&](int begin, int end)
     {
       double energy = 0.0;
-      const auto [begin, end] = HalfRange(count, half);
       for (int t = begin; t < end; ++t)
       {
         const double area = TriangleArea(mesh, mesh.triangles[static_cast<std::size_t>(t)]);
         energy += 0.5 * area * gradients.col(t).squaredNorm();
       }
-      energies[half] = energy;
+      return energy;
     });
-  return energies[0] + energies[1];
 }
 }

@@ -1,7 +1,7 @@
 #include "P1Laplacian.h"
 
-#include "BothHalves.h"
 #include "Error.h"
+#include "Parts.h"
 #include "SymmetricAssembly.h"
 #include "TriangleArea.h"
 
@@ -49,12 +49,10 @@ Eigen::Matrix3d P1ElementStiffness(const TriangleMesh& mesh, std::size_t t)
 
 Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges)
 {
-  const auto vertexCount = static_cast<int>(mesh.points.size());
   const int edgeCount = edges.Count();
-  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(vertexCount);
   std::vector<SymmetricEntry> ofEdge(static_cast<std::size_t>(edgeCount));
-  // 1. Off-diagonal entries: each edge sums over its one or two triangles.
-  ParallelForHalves(edgeCount,
+  // Off-diagonal entries: each edge sums over its one or two triangles.
+  ForRanges(edgeCount,
     [&](int begin, int end)
     {
       for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e)
@@ -70,21 +68,6 @@ Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumb
         ofEdge[e] = { edges.vertices[e][0], edges.vertices[e][1], sum };
       }
     });
-  // 2. Diagonal: rows add up to zero, because the constants are the kernel.
-  ParallelForHalves(vertexCount,
-    [&](int begin, int end)
-    {
-      for (const SymmetricEntry& entry : ofEdge)
-      {
-        for (const int vertex : { entry.row, entry.column })
-        {
-          if (vertex >= begin && vertex < end)
-          {
-            diagonal[vertex] -= entry.value;
-          }
-        }
-      }
-    });
-  return AssembleSymmetric(diagonal, ofEdge);
+  return AssembleZeroRowSums(static_cast<Eigen::Index>(mesh.points.size()), ofEdge);
 }
 }

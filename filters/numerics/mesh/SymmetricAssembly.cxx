@@ -1,9 +1,10 @@
 #include "SymmetricAssembly.h"
 
-#include "BothHalves.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 
@@ -76,27 +77,99 @@ bool SortColumn(int* rows, double* values, int count, std::vector<std::pair<int,
   }
   return repeated;
 }
-}
 
-Eigen::SparseMatrix<double> AssembleSymmetric(
-  const Eigen::VectorXd& diagonal, const std::vector<SymmetricEntry>& offDiagonal)
+/// Off-diagonal entries by ranges of unknowns: each range lists the entries with a row or column in
+/// it, in their order.
+class EntriesOfRanges
 {
-  // Each thread reads all entries and processes those in its half of the columns.
-  const auto size = static_cast<int>(diagonal.size());
-  std::vector<int> next(static_cast<std::size_t>(size), 1);
-  ParallelForHalves(size,
-    [&](int begin, int end)
+public:
+  EntriesOfRanges(std::ptrdiff_t size, const std::vector<SymmetricEntry>& entries)
+    : Entries(entries)
+    , Ranges(PartCount(size))
+    , Parts(PartCount(static_cast<std::ptrdiff_t>(entries.size())))
+    , Lists(Ranges == 1 ? 0 : Parts * Ranges)
+  {
+    if (this->Ranges == 1)
     {
-      for (const SymmetricEntry& entry : offDiagonal)
+      return;
+    }
+    std::vector<std::uint8_t> rangeOf(static_cast<std::size_t>(size));
+    for (std::size_t range = 0; range < this->Ranges; ++range)
+    {
+      const auto [begin, end] = PartRange(size, range, this->Ranges);
+      std::fill(rangeOf.begin() + begin, rangeOf.begin() + end, static_cast<std::uint8_t>(range));
+    }
+    ForParts(this->Parts,
+      [&](std::size_t part)
       {
-        for (const int column : { entry.row, entry.column })
+        std::vector<int>* const lists = this->Lists.data() + part * this->Ranges;
+        const auto [begin, end] =
+          PartRange(static_cast<std::ptrdiff_t>(this->Entries.size()), part, this->Parts);
+        for (int i = begin; i < end; ++i)
         {
-          if (column >= begin && column < end)
+          const SymmetricEntry& entry = this->Entries[static_cast<std::size_t>(i)];
+          const std::size_t ofRow = rangeOf[static_cast<std::size_t>(entry.row)];
+          const std::size_t ofColumn = rangeOf[static_cast<std::size_t>(entry.column)];
+          lists[ofRow].push_back(i);
+          if (ofColumn != ofRow)
           {
-            ++next[static_cast<std::size_t>(column)];
+            lists[ofColumn].push_back(i);
           }
         }
+      });
+  }
+
+  std::size_t RangeCount() const { return this->Ranges; }
+
+  /// Calls function(entry) for the entries of a range.
+  template <typename Function>
+  void ForEach(std::size_t range, const Function& function) const
+  {
+    if (this->Ranges == 1)
+    {
+      std::for_each(this->Entries.begin(), this->Entries.end(), function);
+      return;
+    }
+    for (std::size_t part = 0; part < this->Parts; ++part)
+    {
+      for (const int i : this->Lists[part * this->Ranges + range])
+      {
+        function(this->Entries[static_cast<std::size_t>(i)]);
       }
+    }
+  }
+
+private:
+  const std::vector<SymmetricEntry>& Entries;
+  std::size_t Ranges;
+  std::size_t Parts;
+  std::vector<std::vector<int>> Lists; ///< For each part of the entries a list for each range.
+};
+
+/// Assembles the matrix. With `zeroRowSums` the sums of the off-diagonal entries of each row are
+/// subtracted from the diagonal.
+Eigen::SparseMatrix<double> Assemble(
+  Eigen::VectorXd diagonal, const std::vector<SymmetricEntry>& offDiagonal, bool zeroRowSums)
+{
+  const auto size = static_cast<int>(diagonal.size());
+  const EntriesOfRanges entries(size, offDiagonal);
+  std::vector<int> next(static_cast<std::size_t>(size), 1);
+  ForParts(entries.RangeCount(),
+    [&](std::size_t range)
+    {
+      const auto [begin, end] = PartRange(size, range, entries.RangeCount());
+      entries.ForEach(range,
+        [&, first = begin, last = end](const SymmetricEntry& entry)
+        {
+          for (const int column : { entry.row, entry.column })
+          {
+            if (column >= first && column < last)
+            {
+              ++next[static_cast<std::size_t>(column)];
+              diagonal[column] -= zeroRowSums ? entry.value : 0.0;
+            }
+          }
+        });
     });
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.resizeNonZeros(size + 2 * static_cast<Eigen::Index>(offDiagonal.size()));
@@ -109,9 +182,10 @@ Eigen::SparseMatrix<double> AssembleSymmetric(
     position = starts[column];
   }
   std::atomic<bool> repeated = false;
-  ParallelForHalves(size,
-    [&](int begin, int end)
+  ForParts(entries.RangeCount(),
+    [&](std::size_t range)
     {
+      const auto [begin, end] = PartRange(size, range, entries.RangeCount());
       int* const rows = matrix.innerIndexPtr();
       double* const values = matrix.valuePtr();
       const auto place = [&](int row, int column, double value)
@@ -124,17 +198,18 @@ Eigen::SparseMatrix<double> AssembleSymmetric(
       {
         place(j, j, diagonal[j]);
       }
-      for (const SymmetricEntry& entry : offDiagonal)
-      {
-        if (entry.column >= begin && entry.column < end)
+      entries.ForEach(range,
+        [&, first = begin, last = end](const SymmetricEntry& entry)
         {
-          place(entry.row, entry.column, entry.value);
-        }
-        if (entry.row >= begin && entry.row < end)
-        {
-          place(entry.column, entry.row, entry.value);
-        }
-      }
+          if (entry.column >= first && entry.column < last)
+          {
+            place(entry.row, entry.column, entry.value);
+          }
+          if (entry.row >= first && entry.row < last)
+          {
+            place(entry.column, entry.row, entry.value);
+          }
+        });
       std::vector<std::pair<int, double>> buffer;
       for (int j = begin; j < end; ++j)
       {
@@ -149,5 +224,18 @@ Eigen::SparseMatrix<double> AssembleSymmetric(
     MergeRepeated(matrix);
   }
   return matrix;
+}
+}
+
+Eigen::SparseMatrix<double> AssembleSymmetric(
+  const Eigen::VectorXd& diagonal, const std::vector<SymmetricEntry>& offDiagonal)
+{
+  return Assemble(diagonal, offDiagonal, false);
+}
+
+Eigen::SparseMatrix<double> AssembleZeroRowSums(
+  Eigen::Index size, const std::vector<SymmetricEntry>& offDiagonal)
+{
+  return Assemble(Eigen::VectorXd::Zero(size), offDiagonal, true);
 }
 }

@@ -20,4 +20,8 @@ struct SymmetricEntry
 /// Entries are counted before they are stored, which is several times faster than sorting triplets.
 Eigen::SparseMatrix<double> AssembleSymmetric(
   const Eigen::VectorXd& diagonal, const std::vector<SymmetricEntry>& offDiagonal);
+
+/// The same with the diagonal for which all rows add up to zero: the constants are the kernel.
+Eigen::SparseMatrix<double> AssembleZeroRowSums(
+  Eigen::Index size, const std::vector<SymmetricEntry>& offDiagonal);
 }

@@ -1,8 +1,8 @@
 #include "SeamlessPoisson.h"
 
-#include "BothHalves.h"
 #include "Index.h"
 #include "P1Laplacian.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <array>
@@ -47,10 +47,9 @@ SeamlessPoisson TargetGradients(const MeshTopology& topology, const TriangleFram
   SeamlessPoisson problem;
   problem.weights.resize(mesh.triangles.size());
   problem.target.resize(mesh.triangles.size());
-  ForBothHalves(true,
-    [&](std::size_t half)
+  ForRanges(count,
+    [&](int begin, int end)
     {
-      const auto [begin, end] = HalfRange(count, half);
       auto near = std::lower_bound(frames.near.begin(), frames.near.end(), begin,
         [](const TriangleFrames::NearLog& log, int triangle) { return log.triangle < triangle; });
       for (int t = begin; t < end; ++t)

@@ -1,7 +1,7 @@
 #include "TriangleFrames.h"
 
-#include "BothHalves.h"
 #include "Error.h"
+#include "Parts.h"
 #include "TriangleArea.h"
 
 #include <algorithm>
@@ -82,10 +82,9 @@ Eigen::VectorXd CentreValues(
   const PotentialSolver& solver = *potential.GetProblem().potential;
   const TriangleMesh& mesh = solver.GetTopology().mesh;
   Eigen::VectorXd values(static_cast<Eigen::Index>(mesh.triangles.size()));
-  ForBothHalves(true,
-    [&](std::size_t half)
+  ForRanges(values.size(),
+    [&](int begin, int end)
     {
-      const auto [begin, end] = HalfRange(static_cast<int>(values.size()), half);
       for (int t = begin; t < end; ++t)
       {
         const auto& v = mesh.triangles[static_cast<std::size_t>(t)];
@@ -151,10 +150,9 @@ public:
     , ToSide(this->Topology.mesh.triangles.size())
     , Phase(static_cast<Eigen::Index>(this->Topology.mesh.triangles.size()))
   {
-    ForBothHalves(true,
-      [&](std::size_t half)
+    ForRanges(static_cast<std::ptrdiff_t>(this->ToSide.size()),
+      [&](int begin, int end)
       {
-        const auto [begin, end] = HalfRange(static_cast<int>(this->ToSide.size()), half);
         for (int t = begin; t < end; ++t)
         {
           for (std::size_t i = 0; i < 3; ++i)

@@ -1,7 +1,15 @@
 #include "DirichletSolver.h"
 
+#include "Parts.h"
+
 namespace crossfield
 {
+namespace
+{
+/// Minimum number of columns of sparse products in a part.
+constexpr Eigen::Index ColumnsOfPart = 16;
+}
+
 DirichletSolver::DirichletSolver(const PotentialOperator& laplacian)
   : Factor(laplacian, PotentialFactor::Boundary::Dirichlet)
   , OfIslands(laplacian.Rows(), laplacian.PeriodCount(PotentialOperator::Periods::Islands))
@@ -28,18 +36,21 @@ DirichletSolver::DirichletSolver(const PotentialOperator& laplacian)
   selection.setFromTriplets(selected.begin(), selected.end());
   this->Columns = laplacian.Assemble() * selection;
   Eigen::Index k = 0;
+  Eigen::MatrixXd ones = Eigen::MatrixXd::Zero(this->OfIslands.rows(), this->OfIslands.cols());
   for (const BoundaryLoop& loop : topology.loops)
   {
     if (loop.kind == BoundaryKind::Inner)
     {
-      Eigen::VectorXd one = Eigen::VectorXd::Zero(laplacian.Rows());
       for (const int edge : loop.edges)
       {
-        one[topology.BoundaryAt(edge).vertices[0]] = 1.0;
+        ones(topology.BoundaryAt(edge).vertices[0], k) = 1.0;
       }
-      this->OfIslands.col(k) = this->HarmonicSources(one);
       ++k;
     }
+  }
+  if (k > 0)
+  {
+    this->OfIslands = this->HarmonicSources(ones);
   }
   this->Coupling = this->SumAroundIslands(this->OfIslands);
   if (this->Coupling.size() > 0)
@@ -75,20 +86,40 @@ Eigen::MatrixXd DirichletSolver::Harmonic(const Eigen::MatrixXd& x) const
   {
     prescribed.row(i) = x.row(this->Prescribed[static_cast<std::size_t>(i)]);
   }
+  Eigen::MatrixXd sources(x.rows(), x.cols());
+  ForRanges(
+    x.cols(),
+    [&](int begin, int end)
+    {
+      for (Eigen::Index column = begin; column < end; ++column)
+      {
+        sources.col(column) = -this->Columns * prescribed.col(column);
+      }
+    },
+    ColumnsOfPart);
   // No period is unknown, so which of them the problem has makes no difference.
-  return x +
-    this->Factor.Solve(-this->Columns * prescribed, PotentialOperator::Periods::IslandsAndHoles);
+  return x + this->Factor.Solve(sources, PotentialOperator::Periods::IslandsAndHoles);
 }
 
 Eigen::MatrixXd DirichletSolver::HarmonicSources(const Eigen::MatrixXd& x) const
 {
   // The operator is symmetric.
-  const Eigen::MatrixXd values = this->Columns.transpose() * this->Harmonic(x);
+  const Eigen::MatrixXd harmonic = this->Harmonic(x);
   Eigen::MatrixXd sources = Eigen::MatrixXd::Zero(x.rows(), x.cols());
-  for (Eigen::Index i = 0; i < values.rows(); ++i)
-  {
-    sources.row(this->Prescribed[static_cast<std::size_t>(i)]) = values.row(i);
-  }
+  ForRanges(
+    x.cols(),
+    [&](int begin, int end)
+    {
+      for (Eigen::Index column = begin; column < end; ++column)
+      {
+        const Eigen::VectorXd values = this->Columns.transpose() * harmonic.col(column);
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+        {
+          sources(this->Prescribed[static_cast<std::size_t>(i)], column) = values[i];
+        }
+      }
+    },
+    ColumnsOfPart);
   return sources;
 }
 }

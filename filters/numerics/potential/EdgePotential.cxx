@@ -1,5 +1,7 @@
 #include "EdgePotential.h"
 
+#include "Parts.h"
+
 namespace crossfield
 {
 Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
@@ -7,11 +9,18 @@ Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
   const MeshTopology& topology = this->Potential.GetTopology();
   // 1. The phase, with the constants on inner loops that make its conjugate single-valued.
   Eigen::MatrixXd phases(this->Potential.Rows(), fluxes.cols());
-  for (Eigen::Index column = 0; column < fluxes.cols(); ++column)
-  {
-    phases.col(column) =
-      ConformingPhase(this->Potential.GetOperator(), this->Steps, fluxes.col(column)).Get();
-  }
+  constexpr Eigen::Index ColumnsOfPart = 16;
+  ForRanges(
+    fluxes.cols(),
+    [&](int begin, int end)
+    {
+      for (Eigen::Index column = begin; column < end; ++column)
+      {
+        phases.col(column) =
+          ConformingPhase(this->Potential.GetOperator(), this->Steps, fluxes.col(column)).Get();
+      }
+    },
+    ColumnsOfPart);
   Eigen::MatrixXd sources = this->Dirichlet.HarmonicSources(phases);
   const Eigen::MatrixXd& constants = this->Dirichlet.IslandSources();
   if (constants.cols() > 0)

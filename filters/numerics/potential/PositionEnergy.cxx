@@ -1,7 +1,9 @@
 #include "PositionEnergy.h"
 
 #include "DenseProduct.h"
+#include "Parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,12 +11,24 @@ namespace crossfield
 {
 namespace
 {
+/// Minimum number of logarithms or of their derivatives in a part.
+constexpr std::ptrdiff_t LogsOfPart = 10000;
+
+/// Minimum number of rows for two solves at the same time: they take a quarter of a millisecond.
+constexpr Eigen::Index MinimumRowsInParallel = 4000;
+
 /// Returns the real and imaginary part of 1/y², y as a complex number.
 Eigen::Vector2d InverseSquare(const Point& y)
 {
   const Eigen::Vector2d inverse = y / y.squaredNorm();
   return { inverse.x() * inverse.x() - inverse.y() * inverse.y(),
     -2.0 * inverse.x() * inverse.y() };
+}
+
+/// Returns the minimum number of singularities in a part of a loop over all points for each of them.
+std::ptrdiff_t PositionsOfPart(Eigen::Index points)
+{
+  return std::max<std::ptrdiff_t>(1, LogsOfPart / std::max<std::ptrdiff_t>(1, points));
 }
 
 /// Computes y / |y|² for the offsets y of points from a position.
@@ -96,8 +110,8 @@ const Eigen::MatrixXd& PositionEnergy::GetMidpointInfluence() const
     });
 }
 
-PositionEnergy::Flows PositionEnergy::Solve(
-  const Configuration& configuration, PointPotential::Solution& solution) const
+PositionEnergy::Flows PositionEnergy::Solve(const Configuration& configuration,
+  PointPotential::Solution& solution, Eigen::VectorXd& regular) const
 {
   std::vector<LogSource>& logs = solution.logs;
   for (const Singularity& singularity : configuration)
@@ -109,35 +123,84 @@ PositionEnergy::Flows PositionEnergy::Solve(
   const LogSource* const end = begin + logs.size();
   const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
   Eigen::VectorXd sums(this->Points.rows());
-  for (Eigen::Index p = 0; p < sums.size(); ++p)
-  {
-    sums[p] = SumOfLogs(logs, this->Points.row(p).matrix().transpose());
-  }
+  const std::ptrdiff_t pointsOfPart = LogsOfPart / static_cast<std::ptrdiff_t>(logs.size() + 1);
+  ForRanges(
+    sums.size(),
+    [&](int first, int last)
+    {
+      for (Eigen::Index p = first; p < last; ++p)
+      {
+        sums[p] = SumOfLogs(logs, this->Points.row(p).matrix().transpose());
+      }
+    },
+    pointsOfPart);
   Flows flows;
   flows.flux.resize(static_cast<Eigen::Index>(halves.size()));
   flows.mean.resize(flows.flux.size());
   solution.sources = this->Potential->GetSources();
+  Eigen::VectorXd turns(flows.flux.size());
+  ForRanges(
+    turns.size(),
+    [&](int first, int last)
+    {
+      for (auto h = static_cast<std::size_t>(first); h < static_cast<std::size_t>(last); ++h)
+      {
+        turns[static_cast<Eigen::Index>(h)] = SumOfTurns(begin, end, halves[h].from, halves[h].to);
+      }
+    },
+    pointsOfPart);
   for (std::size_t h = 0; h < halves.size(); ++h)
   {
     const BoundaryHalf& half = halves[h];
-    const double turn = SumOfTurns(begin, end, half.from, half.to);
-    solution.sources[half.vertex] -= turn;
     const auto row = static_cast<Eigen::Index>(h);
-    flows.flux[row] = half.logFlux + turn;
+    solution.sources[half.vertex] -= turns[row];
+    flows.flux[row] = half.logFlux + turns[row];
     flows.mean[row] = half.logMean + 0.5 * (sums[this->Starts[h]] + sums[this->Ends[h]]);
   }
-  this->Potential->Complete(solution,
-    [&](Eigen::Index k, double phase)
+  Eigen::VectorXd fluxes = Eigen::VectorXd::Zero(flows.flux.size() / 2);
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    fluxes[static_cast<Eigen::Index>(h / 2)] +=
+      halves[h].growth - flows.flux[static_cast<Eigen::Index>(h)];
+  }
+
+  // The solutions at vertices and on edges, which are independent of each other.
+  Eigen::VectorXd atEdges;
+  const auto solve = [&](std::size_t part)
+  {
+    if (part == 1)
     {
-      const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
-      for (std::size_t i = 0; i + 1 < path.size(); ++i)
+      atEdges = this->OnEdges.Solve(fluxes);
+      return;
+    }
+    this->Potential->Complete(solution,
+      [&](Eigen::Index k, double phase)
       {
-        phase += SumOfTurns(begin, end, path[i], path[i + 1]);
-      }
-      return phase - this->BoundaryTurns[k];
-    });
+        const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
+        for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        {
+          phase += SumOfTurns(begin, end, path[i], path[i + 1]);
+        }
+        return phase - this->BoundaryTurns[k];
+      });
+  };
+  if (solution.sources.size() >= MinimumRowsInParallel)
+  {
+    ForParts(2, solve);
+  }
+  else
+  {
+    solve(0);
+    solve(1);
+  }
   logs.insert(logs.end(), this->Potential->GetBoundaryLogs().begin(),
     this->Potential->GetBoundaryLogs().end());
+  regular.resize(flows.flux.size());
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    regular[static_cast<Eigen::Index>(h)] =
+      0.5 * (solution.regular[halves[h].vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
+  }
   return flows;
 }
 
@@ -180,20 +243,26 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
   const Eigen::Index periods = influence.cols();
   const auto count = static_cast<Eigen::Index>(inside);
   Eigen::MatrixXd atMiddles(middles, periods > 0 ? 2 * count : 0);
-  Eigen::ArrayXd x(this->Points.rows());
-  Eigen::ArrayXd y(this->Points.rows());
-  for (Eigen::Index j = 0; j < count; ++j)
-  {
-    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
-    InvertOffsets(this->Points, log.position, x, y);
-    value.singleValuedGradient(0, j) += log.strength * (ofTurns * y - ofLogs * x).sum();
-    value.singleValuedGradient(1, j) -= log.strength * (ofTurns * x + ofLogs * y).sum();
-    if (periods > 0)
+  ForRanges(
+    count,
+    [&, &turnFactors = ofTurns, &logFactors = ofLogs](int begin, int end)
     {
-      atMiddles.col(2 * j) = log.strength * y.tail(middles);
-      atMiddles.col(2 * j + 1) = -log.strength * x.tail(middles);
-    }
-  }
+      Eigen::ArrayXd x(this->Points.rows());
+      Eigen::ArrayXd y(this->Points.rows());
+      for (Eigen::Index j = begin; j < end; ++j)
+      {
+        const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+        InvertOffsets(this->Points, log.position, x, y);
+        value.singleValuedGradient(0, j) += log.strength * (turnFactors * y - logFactors * x).sum();
+        value.singleValuedGradient(1, j) -= log.strength * (turnFactors * x + logFactors * y).sum();
+        if (periods > 0)
+        {
+          atMiddles.col(2 * j) = log.strength * y.tail(middles);
+          atMiddles.col(2 * j + 1) = -log.strength * x.tail(middles);
+        }
+      }
+    },
+    PositionsOfPart(this->Points.rows()));
 
   // 2. Holonomy defects, which are linear in the sources.
   const Eigen::MatrixXd carried = AdjointProduct(influence, atMiddles);
@@ -211,26 +280,6 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
     }
     value.defectGradient.push_back(std::move(derivative));
   }
-}
-
-Eigen::VectorXd PositionEnergy::RegularOnHalves(
-  const PointPotential::Solution& solution, const Flows& flows) const
-{
-  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
-  Eigen::VectorXd fluxes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(halves.size() / 2));
-  for (std::size_t h = 0; h < halves.size(); ++h)
-  {
-    fluxes[static_cast<Eigen::Index>(h / 2)] +=
-      halves[h].growth - flows.flux[static_cast<Eigen::Index>(h)];
-  }
-  const Eigen::VectorXd atEdges = this->OnEdges.Solve(fluxes);
-  Eigen::VectorXd regular(static_cast<Eigen::Index>(halves.size()));
-  for (std::size_t h = 0; h < halves.size(); ++h)
-  {
-    regular[static_cast<Eigen::Index>(h)] =
-      0.5 * (solution.regular[halves[h].vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
-  }
-  return regular;
 }
 
 PositionEnergy::PointFactors PositionEnergy::FindFactors(
@@ -257,23 +306,36 @@ Eigen::MatrixXd PositionEnergy::Respond(
 {
   const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
   const PotentialSolver& potential = *this->Potential->GetProblem().potential;
-  Eigen::MatrixXd sources = Eigen::MatrixXd::Zero(potential.Rows(), fluxes.cols());
-  for (Eigen::Index column = 0; column < fluxes.cols(); ++column)
-  {
-    for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
+  Eigen::MatrixXd sources(potential.Rows(), fluxes.cols());
+  ForRanges(
+    fluxes.cols(),
+    [&](int begin, int end)
     {
-      sources(halves[static_cast<std::size_t>(h)].vertex, column) += fluxes(h, column);
-    }
-  }
+      sources.middleCols(begin, end - begin).setZero();
+      for (Eigen::Index column = begin; column < end; ++column)
+      {
+        for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
+        {
+          sources(halves[static_cast<std::size_t>(h)].vertex, column) += fluxes(h, column);
+        }
+      }
+    },
+    PositionsOfPart(this->Points.rows()));
   atVertices = potential.SolveSingleValued(sources);
   Eigen::MatrixXd response(fluxes.rows(), fluxes.cols());
-  for (Eigen::Index column = 0; column < fluxes.cols(); ++column)
-  {
-    for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
+  ForRanges(
+    fluxes.cols(),
+    [&](int begin, int end)
     {
-      response(h, column) = atVertices(halves[static_cast<std::size_t>(h)].vertex, column);
-    }
-  }
+      for (Eigen::Index column = begin; column < end; ++column)
+      {
+        for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
+        {
+          response(h, column) = atVertices(halves[static_cast<std::size_t>(h)].vertex, column);
+        }
+      }
+    },
+    PositionsOfPart(this->Points.rows()));
   return response;
 }
 
@@ -281,8 +343,9 @@ PositionEnergy::Curvature PositionEnergy::Differentiate(
   const Configuration& configuration, const Eigen::VectorXd& multipliers) const
 {
   PointPotential::Solution solution;
-  const Flows flows = this->Solve(configuration, solution);
-  auto [ofTurns, ofLogs] = this->FindFactors(flows, this->RegularOnHalves(solution, flows));
+  Eigen::VectorXd regular;
+  const Flows flows = this->Solve(configuration, solution, regular);
+  auto [ofTurns, ofLogs] = this->FindFactors(flows, regular);
   if (multipliers.size() > 0)
   {
     ofTurns.tail(this->Points.rows() / 2) += (this->GetMidpointInfluence() * multipliers).array();
@@ -298,26 +361,36 @@ PositionEnergy::Curvature PositionEnergy::Differentiate(
   Curvature result{ Eigen::MatrixXd::Zero(2 * count, 2 * count), {} };
   const auto add = [&](Eigen::Index j, Eigen::Index l, double s, double t)
   { result.hessian.block<2, 2>(2 * j, 2 * l) += (Eigen::Matrix2d() << -s, t, t, s).finished(); };
-  Eigen::ArrayXd x(this->Points.rows());
-  Eigen::ArrayXd y(this->Points.rows());
-  Eigen::ArrayXd a(this->Points.rows());
+  ForRanges(
+    count,
+    [&, &turnFactors = ofTurns, &logFactors = ofLogs](int first, int last)
+    {
+      Eigen::ArrayXd x(this->Points.rows());
+      Eigen::ArrayXd y(this->Points.rows());
+      Eigen::ArrayXd a(this->Points.rows());
+      for (Eigen::Index j = first; j < last; ++j)
+      {
+        const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+        InvertOffsets(this->Points, log.position, x, y);
+        for (Eigen::Index h = 0; h < halves; ++h)
+        {
+          const Eigen::Index start = this->Starts[static_cast<std::size_t>(h)];
+          const Eigen::Index end = this->Ends[static_cast<std::size_t>(h)];
+          fluxes(h, 2 * j) = log.strength * (y[end] - y[start]);
+          fluxes(h, 2 * j + 1) = log.strength * (x[start] - x[end]);
+          means(h, 2 * j) = -0.5 * log.strength * (x[start] + x[end]);
+          means(h, 2 * j + 1) = -0.5 * log.strength * (y[start] + y[end]);
+        }
+        a = x * x - y * y;
+        x *= -2.0 * y; // c
+        add(j, j, log.strength * (turnFactors * x + logFactors * a).sum(),
+          log.strength * (logFactors * x - turnFactors * a).sum());
+      }
+    },
+    PositionsOfPart(this->Points.rows()));
   for (Eigen::Index j = 0; j < count; ++j)
   {
     const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
-    InvertOffsets(this->Points, log.position, x, y);
-    for (Eigen::Index h = 0; h < halves; ++h)
-    {
-      const Eigen::Index start = this->Starts[static_cast<std::size_t>(h)];
-      const Eigen::Index end = this->Ends[static_cast<std::size_t>(h)];
-      fluxes(h, 2 * j) = log.strength * (y[end] - y[start]);
-      fluxes(h, 2 * j + 1) = log.strength * (x[start] - x[end]);
-      means(h, 2 * j) = -0.5 * log.strength * (x[start] + x[end]);
-      means(h, 2 * j + 1) = -0.5 * log.strength * (y[start] + y[end]);
-    }
-    a = x * x - y * y;
-    x *= -2.0 * y; // c
-    add(j, j, log.strength * (ofTurns * x + ofLogs * a).sum(),
-      log.strength * (ofLogs * x - ofTurns * a).sum());
     for (Eigen::Index k = 0; k < multipliers.size(); ++k)
     {
       const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
@@ -357,10 +430,9 @@ PositionEnergy::Value PositionEnergy::Evaluate(
   PointPotential::Solution& solution = result.solution;
   RenormalizedEnergyValue& value = result.renormalized;
   const std::size_t inside = configuration.size();
-  result.flows = this->Solve(configuration, solution);
+  result.flows = this->Solve(configuration, solution, result.regular);
   const Flows& flows = result.flows;
   const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
-  result.regular = this->RegularOnHalves(solution, flows);
   const Eigen::VectorXd& regular = result.regular;
 
   value.singleValuedGradient =

@@ -70,11 +70,9 @@ private:
 
   /// Returns MidpointInfluence.
   const Eigen::MatrixXd& GetMidpointInfluence() const;
-  /// Solves for the regular part, and sums up the logarithms.
-  Flows Solve(const Configuration& configuration, PointPotential::Solution& solution) const;
-  /// Returns the value of R on every half.
-  Eigen::VectorXd RegularOnHalves(
-    const PointPotential::Solution& solution, const Flows& flows) const;
+  /// Solves for the regular part and its value on every half, and sums up the logarithms.
+  Flows Solve(const Configuration& configuration, PointPotential::Solution& solution,
+    Eigen::VectorXd& regular) const;
   PointFactors FindFactors(const Flows& flows, const Eigen::VectorXd& regular) const;
   /// Returns the response of R on every half to fluxes through the halves, and sets R at vertices.
   Eigen::MatrixXd Respond(const Eigen::MatrixXd& fluxes, Eigen::MatrixXd& atVertices) const;

@@ -1,6 +1,7 @@
 #include "PotentialOperator.h"
 
 #include "P1Laplacian.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,10 +19,13 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
 {
   const TriangleMesh& mesh = this->Topology->mesh;
   const std::vector<LoopStrip>& strips = this->Strips;
-  Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, this->Topology->edges);
-  const Eigen::Index vertexCount = matrix.rows();
+  const Eigen::SparseMatrix<double> stiffness = P1Stiffness(mesh, this->Topology->edges);
+  if (strips.empty())
+  {
+    return stiffness;
+  }
+  const Eigen::Index vertexCount = stiffness.rows();
   const auto size = vertexCount + static_cast<Eigen::Index>(strips.size());
-  matrix.conservativeResize(size, size);
   std::vector<Eigen::Triplet<double>> border;
   for (std::size_t k = 0; k < strips.size(); ++k)
   {
@@ -57,11 +61,51 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
       }
     }
   }
-  if (!border.empty())
+  std::stable_sort(border.begin(), border.end(),
+    [](const auto& a, const auto& b)
+    { return a.col() < b.col() || (a.col() == b.col() && a.row() < b.row()); });
+
+  // The rows of periods come last in every column.
+  Eigen::SparseMatrix<double> matrix(size, size);
+  int* const starts = matrix.outerIndexPtr();
+  std::fill(starts, starts + size + 1, 0);
+  std::vector<Eigen::Triplet<double>> merged;
+  for (const Eigen::Triplet<double>& entry : border)
   {
-    Eigen::SparseMatrix<double> addition(size, size);
-    addition.setFromTriplets(border.begin(), border.end());
-    matrix += addition;
+    if (!merged.empty() && merged.back().col() == entry.col() && merged.back().row() == entry.row())
+    {
+      merged.back() = { entry.row(), entry.col(), merged.back().value() + entry.value() };
+      continue;
+    }
+    merged.push_back(entry);
+    ++starts[entry.col() + 1];
+  }
+  const int* const before = stiffness.outerIndexPtr();
+  for (Eigen::Index column = 0; column < size; ++column)
+  {
+    starts[column + 1] +=
+      starts[column] + (column < vertexCount ? before[column + 1] - before[column] : 0);
+  }
+  matrix.resizeNonZeros(starts[size]);
+  ForRanges(vertexCount,
+    [&](int begin, int end)
+    {
+      for (int column = begin; column < end; ++column)
+      {
+        const int count = before[column + 1] - before[column];
+        std::copy_n(stiffness.innerIndexPtr() + before[column], count,
+          matrix.innerIndexPtr() + starts[column]);
+        std::copy_n(
+          stiffness.valuePtr() + before[column], count, matrix.valuePtr() + starts[column]);
+      }
+    });
+  for (auto entry = merged.rbegin(), last = entry; entry != merged.rend(); ++entry)
+  {
+    // From the end of each column.
+    last = last->col() == entry->col() ? last : entry;
+    const auto place = starts[entry->col() + 1] - 1 - static_cast<int>(entry - last);
+    matrix.innerIndexPtr()[place] = entry->row();
+    matrix.valuePtr()[place] = entry->value();
   }
   return matrix;
 }
@@ -80,15 +124,19 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
   };
   Eigen::MatrixXd gradient(
     2 * potentials.cols(), static_cast<Eigen::Index>(this->Topology->mesh.triangles.size()));
-  for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
-  {
-    const auto& v = this->Topology->mesh.triangles[t];
-    for (Eigen::Index c = 0; c < potentials.cols(); ++c)
+  ForRanges(gradient.cols(),
+    [&](int begin, int end)
     {
-      gradient.block<2, 1>(2 * c, static_cast<Eigen::Index>(t)) =
-        gradientOf(t, potentials(v[0], c), potentials(v[1], c), potentials(v[2], c));
-    }
-  }
+      for (int t = begin; t < end; ++t)
+      {
+        const auto& v = this->Topology->mesh.triangles[static_cast<std::size_t>(t)];
+        for (Eigen::Index c = 0; c < potentials.cols(); ++c)
+        {
+          gradient.block<2, 1>(2 * c, t) = gradientOf(static_cast<std::size_t>(t),
+            potentials(v[0], c), potentials(v[1], c), potentials(v[2], c));
+        }
+      }
+    });
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
     for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)

@@ -2,6 +2,7 @@
 
 #include "AlignedPotential.h"
 #include "DenseProduct.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,11 @@ namespace crossfield
 {
 namespace
 {
-/// Number of columns that are solved for together: enough for dense kernels, and few enough to
-/// remain in the cache.
-constexpr std::size_t BatchSize = 48;
+/// Number of columns that are solved for together: enough for many parts, and few enough for the
+/// memory.
+constexpr std::size_t BatchSize = 256;
+/// Minimum number of columns in a part.
+constexpr std::ptrdiff_t MinimumColumns = 4;
 
 /// Returns the factor of log|x − y| in W for two logarithms of unit strength.
 double InteractionFactor(const LogSource& one, const LogSource& other)
@@ -119,32 +122,49 @@ void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) cons
 
   // 2. On edges.
   const Eigen::MatrixXd atEdges = this->Energy->GetEdgePotential().Solve(fluxes);
-  for (Eigen::Index c = 0; c < count; ++c)
-  {
-    Column& column = *columns[static_cast<std::size_t>(c)];
-    column.response.resize(this->Growth.size());
-    for (Eigen::Index h = 0; h < column.response.size(); ++h)
+  ForRanges(
+    count,
+    [&](int begin, int end)
     {
-      column.response[h] = 0.5 *
-        (solution(halves[static_cast<std::size_t>(h)].vertex, c) + correction(h, c) +
-          atEdges(h / 2, c));
-    }
-    column.defects += carried.col(c);
-  }
+      for (Eigen::Index c = begin; c < end; ++c)
+      {
+        Column& column = *columns[static_cast<std::size_t>(c)];
+        column.response.resize(this->Growth.size());
+        for (Eigen::Index h = 0; h < column.response.size(); ++h)
+        {
+          column.response[h] = 0.5 *
+            (solution(halves[static_cast<std::size_t>(h)].vertex, c) + correction(h, c) +
+              atEdges(h / 2, c));
+        }
+        column.defects += carried.col(c);
+      }
+    },
+    MinimumColumns);
 }
 
 std::size_t StrengthChanges::Prepare(const std::vector<Place>& places)
 {
   std::vector<Column*> added;
+  std::vector<Place> newPlaces;
   for (const Place& place : places)
   {
     const auto [found, isNew] = this->Columns.insert({ KeyOf(place), Column() });
     if (isNew)
     {
-      found->second = this->MakeColumn(place);
       added.push_back(&found->second);
+      newPlaces.push_back(place);
     }
   }
+  ForRanges(
+    static_cast<std::ptrdiff_t>(added.size()),
+    [&](int begin, int end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        *added[i] = this->MakeColumn(newPlaces[i]);
+      }
+    },
+    MinimumColumns);
   for (std::size_t begin = 0; begin < added.size(); begin += BatchSize)
   {
     const auto first = added.begin() + static_cast<std::ptrdiff_t>(begin);

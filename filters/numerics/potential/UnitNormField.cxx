@@ -1,8 +1,8 @@
 #include "UnitNormField.h"
 
 #include "AlignedPotential.h"
-#include "BothHalves.h"
 #include "ConjugateField.h"
+#include "Parts.h"
 
 namespace crossfield
 {
@@ -19,7 +19,7 @@ UnitNormField SolveUnitNorm(const PotentialProblem& problem)
     potential.gradient, topology.EdgeOfBoundary(first),
     Eigen::VectorXd::Constant(1, std::arg(problem.alignment.crosses[first])));
   result.u.resize(phase.size());
-  ParallelForHalves(phase.size(),
+  ForRanges(phase.size(),
     [&](int begin, int end)
     {
       for (int e = begin; e < end; ++e)

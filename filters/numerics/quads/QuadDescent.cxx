@@ -1,8 +1,7 @@
 #include "QuadDescent.h"
 
-#include "BothHalves.h"
+#include "Parts.h"
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -13,8 +12,8 @@ namespace
 /// Number of corrections that L-BFGS stores.
 constexpr std::size_t MaximumCorrections = 8;
 
-/// Minimum number of unknowns for two threads, as for quads in QuadEnergy.
-constexpr Eigen::Index MinimumUnknownsForTwoThreads = 40000;
+/// Minimum number of unknowns in a part: a pass over the vectors does little with each.
+constexpr Eigen::Index MinimumUnknowns = 20000;
 }
 
 QuadDescent::QuadDescent(QuadEnergy& energy)
@@ -23,20 +22,13 @@ QuadDescent::QuadDescent(QuadEnergy& energy)
 {
 }
 
-/// Returns function(begin, count) for all unknowns or, for long vectors, the sum over both halves.
+/// Returns the sum of function(begin, count) over ranges of the unknowns.
 template <typename Function>
 double QuadDescent::Sum(const Function& function) const
 {
-  if (this->Size < MinimumUnknownsForTwoThreads)
-  {
-    return function(Eigen::Index(0), this->Size);
-  }
-  const Eigen::Index half = this->Size / 2;
-  std::array<double, 2> sums{};
-  ForBothHalves(true,
-    [&](std::size_t part)
-    { sums[part] = part == 0 ? function(0, half) : function(half, this->Size - half); });
-  return sums[0] + sums[1];
+  return SumOfRanges(
+    this->Size, [&](Eigen::Index begin, Eigen::Index end) { return function(begin, end - begin); },
+    MinimumUnknowns);
 }
 
 double QuadDescent::ComputeDirection(const Eigen::VectorXd& curvature)

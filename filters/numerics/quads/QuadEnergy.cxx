@@ -1,20 +1,21 @@
 #include "QuadEnergy.h"
 
-#include "BothHalves.h"
 #include "BoundaryOrder.h"
 #include "Index.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Minimum number of quads for two threads: their energy takes a millisecond.
-constexpr std::size_t MinimumQuadsForTwoThreads = 20000;
+/// Minimum number of quads in a part: their energy takes half a millisecond.
+constexpr std::ptrdiff_t MinimumQuads = 10000;
 
 /// Part of a loop up to which an edge is not penalised: that of eight equal edges.
 constexpr double Free = 0.125;
@@ -199,14 +200,9 @@ void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
   }
 }
 
-double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient)
+template <typename StoreQuad>
+double QuadEnergy::RangeValue(int begin, int end, double epsilon, const StoreQuad& store) const
 {
-  const auto [begin, end] = HalfRange(static_cast<int>(this->Mesh.quads.size()), half);
-  Eigen::VectorXd& gradient = this->Gradients[half];
-  if (withGradient)
-  {
-    gradient.setZero(this->Positions.size());
-  }
   double energy = 0.0;
   for (std::size_t q = Index(begin); q < Index(end); ++q)
   {
@@ -247,18 +243,89 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient
         byB[j] += byNorm * b + byDeterminant * TurnedLeft(a);
       }
     }
-    if (withGradient)
+    store(q,
+      std::array<Point, 4>{ Point(-(frame.inverseA * byA[0] + frame.inverseB * byB[0])),
+        Point(frame.inverseA * byA[0] - frame.inverseB * byB[1]),
+        Point(frame.inverseA * byA[1] + frame.inverseB * byB[1]),
+        Point(frame.inverseB * byB[0] - frame.inverseA * byA[1]) });
+  }
+  return energy;
+}
+
+void QuadEnergy::ListCorners()
+{
+  const std::size_t points = this->Mesh.points.size();
+  this->FirstCorner.assign(points + 1, 0);
+  for (const std::array<int, 4>& quad : this->Mesh.quads)
+  {
+    for (const int p : quad)
     {
-      const std::array<int, 4>& points = this->Mesh.quads[q];
-      gradient.segment<2>(FirstUnknown(points[0])) -=
-        frame.inverseA * byA[0] + frame.inverseB * byB[0];
-      gradient.segment<2>(FirstUnknown(points[1])) +=
-        frame.inverseA * byA[0] - frame.inverseB * byB[1];
-      gradient.segment<2>(FirstUnknown(points[2])) +=
-        frame.inverseA * byA[1] + frame.inverseB * byB[1];
-      gradient.segment<2>(FirstUnknown(points[3])) +=
-        frame.inverseB * byB[0] - frame.inverseA * byA[1];
+      ++this->FirstCorner[Index(p) + 1];
     }
+  }
+  std::partial_sum(this->FirstCorner.begin(), this->FirstCorner.end(), this->FirstCorner.begin());
+  std::vector<int> next(this->FirstCorner.begin(), this->FirstCorner.end() - 1);
+  this->Corners.resize(4 * this->Mesh.quads.size());
+  for (int corner = 0; corner < static_cast<int>(this->Corners.size()); ++corner)
+  {
+    const int p = this->Mesh.quads[Index(corner / 4)][Index(corner % 4)];
+    this->Corners[Index(next[Index(p)]++)] = corner;
+  }
+}
+
+double QuadEnergy::QuadsValue(double epsilon, Eigen::VectorXd* gradient)
+{
+  const auto quads = static_cast<std::ptrdiff_t>(this->Mesh.quads.size());
+  if (gradient == nullptr)
+  {
+    const auto none = [](std::size_t, const std::array<Point, 4>&) {};
+    return SumOfRanges(
+      quads, [&](int begin, int end) { return this->RangeValue(begin, end, epsilon, none); },
+      MinimumQuads);
+  }
+  gradient->setZero(this->Positions.size());
+  if (PartCount(quads, MinimumQuads) == 1)
+  {
+    return this->RangeValue(0, static_cast<int>(quads), epsilon,
+      [&](std::size_t q, const std::array<Point, 4>& ofQuad)
+      {
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+          gradient->segment<2>(FirstUnknown(this->Mesh.quads[q][i])) += ofQuad[i];
+        }
+      });
+  }
+  // The gradients of the quads, then their sum at each point, in the same order as above.
+  if (this->Corners.empty())
+  {
+    this->ListCorners();
+    this->OfQuads.resize(this->Mesh.quads.size());
+  }
+  const double energy = SumOfRanges(
+    quads,
+    [&](int begin, int end)
+    {
+      return this->RangeValue(begin, end, epsilon,
+        [&](std::size_t q, const std::array<Point, 4>& ofQuad) { this->OfQuads[q] = ofQuad; });
+    },
+    MinimumQuads);
+  if (std::isfinite(energy))
+  {
+    ForRanges(
+      static_cast<std::ptrdiff_t>(this->Mesh.points.size()),
+      [&](int begin, int end)
+      {
+        for (int p = begin; p < end; ++p)
+        {
+          auto sum = gradient->segment<2>(FirstUnknown(p));
+          for (int i = this->FirstCorner[Index(p)]; i < this->FirstCorner[Index(p) + 1]; ++i)
+          {
+            const int corner = this->Corners[Index(i)];
+            sum += this->OfQuads[Index(corner / 4)][Index(corner % 4)];
+          }
+        }
+      },
+      MinimumQuads);
   }
   return energy;
 }
@@ -266,11 +333,7 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient
 double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen::VectorXd* gradient)
 {
   this->SetPositions(unknowns);
-  std::array<double, 2> energies{};
-  ForBothHalves(this->Mesh.quads.size() >= MinimumQuadsForTwoThreads,
-    [&](std::size_t half)
-    { energies[half] = this->HalfValue(half, epsilon, gradient != nullptr); });
-  double energy = energies[0] + energies[1];
+  double energy = this->QuadsValue(epsilon, gradient);
   if (this->Slope.size() > 0)
   {
     energy -= this->Slope.dot(unknowns - this->Origin);
@@ -279,16 +342,6 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   {
     return energy + this->BoundaryValue(unknowns, nullptr);
   }
-  const Eigen::Index size = this->Positions.size();
-  gradient->resize(size);
-  ForBothHalves(this->Mesh.quads.size() >= MinimumQuadsForTwoThreads,
-    [&](std::size_t half)
-    {
-      const Eigen::Index begin = half == 0 ? 0 : size / 2;
-      const Eigen::Index count = half == 0 ? size / 2 : size - size / 2;
-      gradient->segment(begin, count) =
-        this->Gradients[0].segment(begin, count) + this->Gradients[1].segment(begin, count);
-    });
   for (const Image& image : this->Images)
   {
     gradient->segment<2>(FirstUnknown(image.first)) +=

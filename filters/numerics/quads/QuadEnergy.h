@@ -88,8 +88,14 @@ private:
   double BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient) const;
   /// Sets Positions.
   void SetPositions(const Eigen::VectorXd& unknowns);
-  /// Returns the energy of one half of the quads, and adds up its gradient if requested.
-  double HalfValue(std::size_t half, double epsilon, bool withGradient);
+  /// Returns the energy of a range of the quads. Calls store(quad, gradients at its four points) for
+  /// each of them.
+  template <typename StoreQuad>
+  double RangeValue(int begin, int end, double epsilon, const StoreQuad& store) const;
+  /// Returns the energy of all quads, and sets its gradient in the plane if requested.
+  double QuadsValue(double epsilon, Eigen::VectorXd* gradient);
+  /// Lists the corners of quads at each point, for gradients in several parts.
+  void ListCorners();
 
   const QuadMesh& Mesh;
   const BoundaryCurves& Curves;
@@ -102,9 +108,12 @@ private:
   std::vector<int> OnBoundary; ///< Points that move along the boundary.
   std::vector<BoundaryTerm> BoundaryTerms;
   Eigen::VectorXd Diagonal;
-  Eigen::VectorXd Slope;                    ///< The tilt, empty if there is none.
-  Eigen::VectorXd Origin;                   ///< Unknowns at which the tilt vanishes.
-  Eigen::VectorXd Positions;                ///< Positions of all points.
-  std::array<Eigen::VectorXd, 2> Gradients; ///< Contributions of both halves of the quads.
+  Eigen::VectorXd Slope;                     ///< The tilt, empty if there is none.
+  Eigen::VectorXd Origin;                    ///< Unknowns at which the tilt vanishes.
+  Eigen::VectorXd Positions;                 ///< Positions of all points.
+  std::vector<std::array<Point, 4>> OfQuads; ///< Gradients of the quads, if they are in parts.
+  /// Corners, four times the quad plus its corner, at each point, and the first of each point.
+  std::vector<int> Corners;
+  std::vector<int> FirstCorner;
 };
 }

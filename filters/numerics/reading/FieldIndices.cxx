@@ -1,11 +1,10 @@
 #include "FieldIndices.h"
 
-#include "BothHalves.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace crossfield
 {
@@ -28,35 +27,33 @@ FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
   const EdgeNumbering& edges = topology.edges;
   FieldIndices indices;
   indices.ofTriangle.resize(mesh.triangles.size());
-  // Change of arg u around each vertex, from midpoint to midpoint inside the domain, for either
-  // half of the triangles.
-  std::array<std::vector<double>, 2> parts;
-  const auto triangleCount = static_cast<int>(mesh.triangles.size());
-  const auto read = [&](std::size_t half)
-  {
-    std::vector<double>& around = parts[half];
-    around.assign(mesh.points.size(), 0.0);
-    const auto [begin, end] = HalfRange(triangleCount, half);
-    for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+  // Change of arg u from edge i to edge i + 1 of each triangle. They meet in its vertex i + 1, around
+  // which the same step is taken in the opposite direction. It is computed once, so that everything
+  // adds up to zero regardless of rounding.
+  std::vector<std::array<double, 3>> steps(mesh.triangles.size());
+  ForRanges(static_cast<std::ptrdiff_t>(steps.size()),
+    [&](int begin, int end)
     {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < 3; ++i)
+      for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
       {
-        // Edges i and i + 1 of the triangle meet in its vertex i + 1, around which the same step is
-        // taken in the opposite direction. It is computed once, so that everything adds up to zero
-        // regardless of rounding.
-        const double step =
-          WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
-        sum += step;
-        around[static_cast<std::size_t>(mesh.triangles[t][(i + 1) % 3])] -= step;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          steps[t][i] = WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
+          sum += steps[t][i];
+        }
+        indices.ofTriangle[t] = Turns(sum);
       }
-      indices.ofTriangle[t] = Turns(sum);
+    });
+  // Change of arg u around each vertex, from midpoint to midpoint inside the domain.
+  std::vector<double> around(mesh.points.size(), 0.0);
+  for (std::size_t t = 0; t < steps.size(); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      around[static_cast<std::size_t>(mesh.triangles[t][(i + 1) % 3])] -= steps[t][i];
     }
-  };
-  ForBothHalves(triangleCount >= MinimumParallelCount, read);
-  std::vector<double>& around = parts[0];
-  std::transform(
-    around.begin(), around.end(), parts[1].begin(), around.begin(), std::plus<double>());
+  }
 
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {

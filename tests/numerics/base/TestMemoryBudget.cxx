@@ -61,7 +61,7 @@ protected:
   }
 
   std::string Root;
-  MemoryLimitFiles Files;
+  SystemFiles Files;
 };
 
 TEST_F(AvailableMemoryTest, IsUnknownWithoutAnyLimit)

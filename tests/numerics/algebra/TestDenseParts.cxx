@@ -1,5 +1,5 @@
 #include "DenseCholesky.h"
-#include "DenseHalves.h"
+#include "DenseParts.h"
 #include "Support.h"
 
 #include <omp.h>
@@ -35,17 +35,17 @@ Matrix<Scalar> RandomDefinite(Random& random, Eigen::Index size)
 }
 
 template <typename Scalar>
-class DenseHalvesOf : public testing::Test
+class DensePartsOf : public testing::Test
 {
 };
 using Scalars = testing::Types<double, Complex>;
-TYPED_TEST_SUITE(DenseHalvesOf, Scalars);
+TYPED_TEST_SUITE(DensePartsOf, Scalars);
 
 // Sizes near multiples of the panel width, with remainders of one and odd remainders, and above the
 // size from which DenseCholesky uses these functions.
 constexpr std::array<Eigen::Index, 7> Sizes = { 1, 2, 191, 193, 385, 512, 601 };
 
-TYPED_TEST(DenseHalvesOf, FactorAndInverseMatchTheMatrix)
+TYPED_TEST(DensePartsOf, FactorAndInverseMatchTheMatrix)
 {
   Random random(620);
   for (const Eigen::Index size : Sizes)
@@ -53,12 +53,12 @@ TYPED_TEST(DenseHalvesOf, FactorAndInverseMatchTheMatrix)
     SCOPED_TRACE(size);
     const Matrix<TypeParam> matrix = RandomDefinite<TypeParam>(random, size);
     Matrix<TypeParam> lower = matrix.template triangularView<Eigen::Lower>();
-    ASSERT_TRUE(FactorInHalves<TypeParam>(lower));
+    ASSERT_TRUE(FactorInParts<TypeParam>(lower, lower.cols()));
     lower.template triangularView<Eigen::StrictlyUpper>().setZero();
     EXPECT_LE((lower * lower.adjoint() - matrix).norm(), 1e-13 * matrix.norm());
     if (size > 1)
     {
-      InvertInHalves<TypeParam>(lower);
+      InvertInParts<TypeParam>(lower);
       const Matrix<TypeParam> inverse = lower.template selfadjointView<Eigen::Lower>();
       EXPECT_LE((inverse * matrix - Matrix<TypeParam>::Identity(size, size)).norm(),
         1e-13 * static_cast<double>(size));
@@ -66,7 +66,7 @@ TYPED_TEST(DenseHalvesOf, FactorAndInverseMatchTheMatrix)
   }
 }
 
-TYPED_TEST(DenseHalvesOf, DetectsIndefiniteMatrices)
+TYPED_TEST(DensePartsOf, DetectsIndefiniteMatrices)
 {
   Random random(621);
   const Matrix<TypeParam> matrix = RandomDefinite<TypeParam>(random, 601);
@@ -75,11 +75,11 @@ TYPED_TEST(DenseHalvesOf, DetectsIndefiniteMatrices)
     SCOPED_TRACE(row);
     Matrix<TypeParam> indefinite = matrix;
     indefinite(row, row) -= 10.0;
-    EXPECT_FALSE(FactorInHalves<TypeParam>(indefinite));
+    EXPECT_FALSE(FactorInParts<TypeParam>(indefinite, indefinite.cols()));
   }
 }
 
-TYPED_TEST(DenseHalvesOf, IsIdenticalInOneThread)
+TYPED_TEST(DensePartsOf, IsIdenticalInOneThread)
 {
   Random random(622);
   const Matrix<TypeParam> matrix = RandomDefinite<TypeParam>(random, 700);

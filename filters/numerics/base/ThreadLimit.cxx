@@ -1,0 +1,73 @@
+#include "ThreadLimit.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#if __has_include(<sys/resource.h>)
+#include <sys/resource.h>
+#endif
+
+namespace crossfield
+{
+namespace
+{
+bool HasAddressLimit()
+{
+#ifdef RLIMIT_AS
+  rlimit limit = {};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+#else
+  return false;
+#endif
+}
+}
+
+int ThreadLimit()
+{
+  constexpr int MaximumWithAddressLimit = 2;
+  static const int quota = ProcessorQuota();
+  static const bool hasAddressLimit = HasAddressLimit();
+  int threads = omp_get_max_threads();
+  if (quota > 0 && threads == omp_get_num_procs()) // the default
+  {
+    threads = std::min(threads, quota);
+  }
+  threads = std::min(threads, omp_get_thread_limit());
+  return std::max(1, hasAddressLimit ? std::min(threads, MaximumWithAddressLimit) : threads);
+}
+
+int ProcessorQuota(const SystemFiles& files)
+{
+  double minimum = 0.0;
+  const auto lower = [&minimum](double quota, double period)
+  {
+    if (quota > 0.0 && period > 0.0)
+    {
+      minimum = minimum > 0.0 ? std::min(minimum, quota / period) : quota / period;
+    }
+  };
+  ForControlGroups(files, "cpu",
+    [&lower](const std::string& folder, int version)
+    {
+      double quota = 0.0;
+      double period = 0.0;
+      if (version == 2)
+      {
+        std::ifstream stream(folder + "/cpu.max"); // "max 100000" without a limit
+        if (stream >> quota >> period)
+        {
+          lower(quota, period);
+        }
+      }
+      else // −1 without a limit
+      {
+        lower(ReadNumber(folder + "/cpu.cfs_quota_us").value_or(0.0),
+          ReadNumber(folder + "/cpu.cfs_period_us").value_or(0.0));
+      }
+    });
+  return static_cast<int>(std::ceil(minimum));
+}
+}

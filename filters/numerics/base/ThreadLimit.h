@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ControlGroups.h"
+
+namespace crossfield
+{
+/// Returns the number of threads that computations may use, at least 1. It changes the time of a
+/// computation, never its result (Parts.h).
+///
+/// A number that the user has set counts as it is: OMP_NUM_THREADS, or omp_set_num_threads in the
+/// host. Without one it is the number of processors to which this process is bound (affinity), and
+/// at most ProcessorQuota. In both cases it is at most OMP_THREAD_LIMIT, and at most 2 under a limit
+/// on the address space (`ulimit -v`), because OpenBLAS reserves addresses for each thread.
+int ThreadLimit();
+
+/// Returns the number of processors that the control groups of this process (containers) may use
+/// on average, rounded up; 0 if it is not limited. Reads `cpu.max` of version 2, and
+/// `cpu.cfs_quota_us` and `cpu.cfs_period_us` of version 1.
+int ProcessorQuota(const SystemFiles& files = {});
+}

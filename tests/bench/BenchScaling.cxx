@@ -1,0 +1,104 @@
+/**
+ * Scaling with the number of processors, beyond those of this machine: runs each computation in one
+ * thread, records the processor time of its parts (PartsTrace.h), and schedules them on 2 to 16
+ * ideal processors, each of which takes the next part that is ready.
+ *
+ *   build/bin/benchScaling [TRIANGLES] [HOLES]      default: 1000000 triangles, a plate with 40 holes
+ *
+ * One row per computation: seconds in one thread, the part outside of all parallel loops, and the
+ * ratio of the time in one thread to that on 2, 4, 8 and 16 processors.
+ */
+#include "AutomaticConfiguration.h"
+#include "BenchDisk.h"
+#include "BuiltinDomains.h"
+#include "DrillHoles.h"
+#include "HField.h"
+#include "MakePlanarDomain.h"
+#include "PartsTrace.h"
+#include "PerforatedSolve.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+namespace
+{
+using namespace crossfield;
+
+void Measure(const char* name, const std::function<void()>& function)
+{
+  const PartsTrace trace(function);
+  const double total = trace.TotalSeconds();
+  std::printf("%-36s %8.3f s   serial %8.3f s  ", name, total, trace.SerialSeconds());
+  for (const int processors : { 2, 4, 8, 16 })
+  {
+    std::printf("  %2d: %5.2f", processors, total / trace.SecondsOn(processors));
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+/// Returns a plate with round holes of 32 edges on a jittered grid, as tests/corpus/many_holes.py,
+/// with other positions.
+PlanarDomain Plate(int count)
+{
+  std::uint64_t state = 1;
+  const auto uniform = [&state](double from, double to)
+  {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return from + (to - from) * static_cast<double>(state >> 11U) / 9007199254740992.0;
+  };
+  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
+  const double width = columns;
+  const double height = (count + columns - 1) / columns;
+  std::vector<Loop> loops = { { { 0.0, 0.0 }, { width, 0.0 }, { width, height },
+    { 0.0, height } } };
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = i % columns + 0.5 + uniform(-0.15, 0.15);
+    const double y = i / columns + 0.5 + uniform(-0.15, 0.15);
+    const double radius = uniform(0.12, 0.25);
+    Loop loop;
+    for (int k = 0; k < 32; ++k)
+    {
+      const double angle = 2.0 * Pi * k / 32.0;
+      loop.emplace_back(x + radius * std::cos(angle), y + radius * std::sin(angle));
+    }
+    loops.push_back(std::move(loop));
+  }
+  return MakePlanarDomain(std::move(loops));
+}
+
+TriangleMesh Disk(std::int64_t triangles, const Configuration& holes)
+{
+  BuiltinDomain disk;
+  disk.edgeLength = MeshSizeFor(triangles);
+  DrillOptions options;
+  options.meshSize = disk.edgeLength;
+  return DrillHoles(MakePlanarDomain(MakeBuiltinDomain(disk)), holes, options);
+}
+}
+
+int main(int count, char** arguments)
+{
+  const std::int64_t triangles = count > 1 ? std::atoll(arguments[1]) : 1000000;
+  const int holes = count > 2 ? std::atoi(arguments[2]) : 40;
+  {
+    TriangleMesh mesh;
+    Measure("mesh of a disk with eight holes", [&] { mesh = Disk(triangles, EightHoles()); });
+    SharedTopology topology;
+    Measure("topology", [&] { topology = ShareTopology(mesh); });
+    PerforatedOptions options;
+    options.method = PerforatedMethod::UnitNorm;
+    Measure("unit norm", [&] { SolvePerforated(topology, options); });
+    Measure("constrained", [&] { SolvePerforated(topology); });
+    topology = ShareTopology(Disk(triangles, {}));
+    Measure("H and W of eight points", [&] { SolveHField(topology, EightHoles()); });
+  }
+  const PlanarDomain plate = Plate(holes);
+  AutomaticOptions options;
+  options.quadCount = 1000;
+  Measure("choosing singularities of the plate", [&] { ChooseConfiguration(plate, options); });
+  return 0;
+}

@@ -1,0 +1,95 @@
+/**
+ * Parallel loops, the elimination of a matrix and solves with one factor, in several threads of the
+ * host at once: the program for the thread sanitizer (tests/threads/run.sh). Exits with 0 if all
+ * threads find the same solution.
+ */
+#include "DenseCholesky.h"
+#include "DissectedCholesky.h"
+#include "Parts.h"
+#include "SymmetricAssembly.h"
+
+#include <omp.h>
+
+#include <cstdio>
+#include <thread>
+
+namespace
+{
+using namespace crossfield;
+
+/// Returns the five-point Laplacian plus 1/100 on a grid, and stores the grid points in `places`.
+Eigen::SparseMatrix<double> Grid(int side, std::vector<Point>& places)
+{
+  std::vector<SymmetricEntry> entries;
+  for (int i = 0; i < side * side; ++i)
+  {
+    places.emplace_back(i % side, i / side);
+    if ((i + 1) % side != 0)
+    {
+      entries.push_back({ i, i + 1, -1.0 });
+    }
+    if (i + side < side * side)
+    {
+      entries.push_back({ i, i + side, -1.0 });
+    }
+  }
+  return AssembleSymmetric(Eigen::VectorXd::Constant(side * side, 4.01), entries);
+}
+
+/// Factors a matrix, solves with it in several threads, and returns a number that depends on all
+/// solutions.
+double Run()
+{
+  std::vector<Point> places;
+  const Eigen::SparseMatrix<double> matrix = Grid(180, places);
+  const DissectedCholesky factor(matrix, places, { 7, 5000, 31000 }, { 3 });
+  std::vector<double> sums(3);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    threads.emplace_back(
+      [&, i]
+      {
+        const Eigen::MatrixXd load =
+          Eigen::MatrixXd::Ones(matrix.rows(), i == 0 ? 40 : static_cast<Eigen::Index>(i));
+        sums[i] = factor.Substitute(factor.Eliminate(load)).squaredNorm();
+      });
+  }
+  std::vector<Eigen::SparseMatrix<double>> blocks;
+  for (int block = 0; block < 5; ++block)
+  {
+    blocks.emplace_back(matrix.rows(), 2);
+    blocks.back().insert(3000 * block + 10, 0) = 1.0;
+    blocks.back().insert(6000 * block + 20, 1) = -1.0;
+    blocks.back().makeCompressed();
+  }
+  const auto columns = factor.EliminateSparse(blocks);
+  double sum = columns.nodes.back().rows.squaredNorm();
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Constant(900, 900, 0.5);
+  dense.diagonal().array() += 3.0;
+  sum += DenseCholesky<double>(dense).Inverse().squaredNorm();
+  return sum + sums[0] + sums[1] + sums[2];
+}
+}
+
+int main()
+{
+  omp_set_num_threads(4);
+  std::vector<double> results(2);
+  std::vector<std::thread> hosts;
+  for (double& result : results)
+  {
+    hosts.emplace_back([&result] { result = Run(); });
+  }
+  for (std::thread& host : hosts)
+  {
+    host.join();
+  }
+  const bool isEqual = results[0] == results[1] && results[0] == Run();
+  std::printf("%s: %.17g\n", isEqual ? "equal" : "DIFFERENT", results[0]);
+  return isEqual ? 0 : 1;
+}

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Compiles the parallel loops and the elimination with the thread sanitizer, and runs them in several threads:
+#
+#   tests/threads/run.sh FOLDER       FOLDER is for the object files
+#
+# The OpenMP of LLVM reports its synchronisation to the sanitizer (libarcher); that of GCC does not. CHOLMOD and OpenBLAS
+# are not instrumented, so only accesses by this project are checked. Exits with 0 if there is no report.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+folder=$1
+mkdir -p "$folder"
+llvm=/usr/lib/llvm-14
+flags=(-std=c++17 -O1 -g -fPIC -fsanitize=thread -fopenmp -DEIGEN_DONT_PARALLELIZE -DNDEBUG -isystem /usr/include/eigen3
+  -isystem /usr/include/suitesparse)
+for module in base geometry mesh algebra; do
+  flags+=("-Ifilters/numerics/$module")
+done
+sources=(tests/threads/ThreadRun.cxx filters/numerics/base/*.cxx filters/numerics/mesh/SymmetricAssembly.cxx
+  filters/numerics/algebra/{Cholmod,Dense,Diss,Fact,Gram,Nested,Partial,Serial,Sparse}*.cxx)
+objects=()
+for source in "${sources[@]}"; do
+  object=$folder/$(basename "$source").o
+  objects+=("$object")
+  clang++-14 "${flags[@]}" -c "$source" -o "$object" &
+  [[ $(jobs -rp | wc -l) -lt 2 ]] || wait -n
+done
+wait
+clang++-14 -fsanitize=thread -fopenmp "${objects[@]}" -o "$folder/threadRun" -lcholmod -lopenblas -Wl,-rpath,"$llvm/lib"
+OMP_TOOL_LIBRARIES=$llvm/lib/libarcher.so TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1" \
+  OPENBLAS_NUM_THREADS=1 "$folder/threadRun"
