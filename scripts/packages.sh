@@ -26,8 +26,8 @@ done
 packages=(
   # Compiler and tools.
   ccache cmake g++ ninja-build
-  # Numerics: meshes, matrices, integers, network flows, sparse Cholesky factorisation.
-  libcgal-dev libeigen3-dev libglpk-dev liblemon-dev libopenblas-dev libsuitesparse-dev
+  # Numerics: meshes, matrices, integers, network flows, sparse Cholesky factorisation, threads.
+  libcgal-dev libeigen3-dev libglpk-dev liblemon-dev libopenblas-dev libsuitesparse-dev libtbb-dev
   # Drawings: XML, and models. Without Open CASCADE the build leaves out .step and .brep files.
   libexpat1-dev libocct-data-exchange-dev libocct-modeling-algorithms-dev
   # Without CGNS the build leaves out .cgns files.
@@ -57,7 +57,7 @@ if [[ $all == yes ]]; then
   packages+=(
     # find_package(VTK) looks for these in VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes
     # its libraries find each other.
-    libjsoncpp-dev libtbb-dev patchelf
+    libjsoncpp-dev patchelf
     # The checked build: sanitizers, libFuzzer, OpenMP, gcov and clang-tidy of clang.
     clang-14 clang-tidy-14 gcovr libclang-rt-14-dev libomp-14-dev llvm-14
     # Tests that only --all runs: the Debian package, which cpack makes with dpkg-dev and file, and

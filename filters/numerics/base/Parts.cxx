@@ -4,122 +4,81 @@
 #include "ThreadLimit.h"
 
 #include <omp.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
-#include <algorithm>
-#include <condition_variable>
+#include <atomic>
 #include <exception>
-#include <mutex>
+#include <optional>
 
 namespace crossfield
 {
 namespace
 {
-/// Threads of a parallel region of OpenMP, which take parts of all loops that the region runs, also
-/// of loops inside of parts. The tasks of OpenMP would do the same, but those of LLVM 14 fail when
-/// several threads of the host start regions and end.
-class Team
+/// Marks the calling thread as one of those that run the parts of a computation.
+class InsideParts
 {
 public:
-  /// The team of the calling thread, or null.
-  static thread_local Team* Present;
+  InsideParts() { ++Depth; }
+  ~InsideParts() { --Depth; }
+  InsideParts(const InsideParts&) = delete;
+  InsideParts& operator=(const InsideParts&) = delete;
 
-  /// Calls a function for all parts, and returns when all have finished. Must be called in a thread
-  /// of the team. While a thread waits, it takes parts of its own loop only: another loop might wait
-  /// for something that this thread holds.
-  void Run(std::size_t parts, const std::function<void(std::size_t)>& function)
-  {
-    Loop loop{ function, parts };
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    this->Open.push_back(&loop);
-    this->Changed.notify_all();
-    while (loop.next < parts)
-    {
-      this->RunNext(loop, lock);
-    }
-    loop.ended.wait(lock, [&loop] { return loop.finished == loop.parts; });
-  }
-
-  /// Takes parts of the loops of other threads until End is called, of the outermost loops first.
-  void Help()
-  {
-    std::unique_lock<std::mutex> lock(this->Mutex);
-    for (;;)
-    {
-      this->Changed.wait(lock, [this] { return this->HasEnded || !this->Open.empty(); });
-      if (this->Open.empty())
-      {
-        return;
-      }
-      Loop& loop = *this->Open.front();
-      this->RunNext(loop, lock);
-      if (loop.finished == loop.parts)
-      {
-        loop.ended.notify_one(); // its thread cannot continue before this one releases the lock
-      }
-    }
-  }
-
-  /// Lets the other threads leave.
-  void End()
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->HasEnded = true;
-    this->Changed.notify_all();
-  }
+  static bool Here() { return Depth > 0; }
 
 private:
-  struct Loop
-  {
-    const std::function<void(std::size_t)>& function;
-    std::size_t parts;
-    std::size_t next = 0;
-    std::size_t finished = 0;
-    std::condition_variable ended{};
-  };
-
-  /// Runs the next part of a loop without the lock.
-  void RunNext(Loop& loop, std::unique_lock<std::mutex>& lock)
-  {
-    const std::size_t part = loop.next++;
-    if (loop.next == loop.parts)
-    {
-      this->Open.erase(std::find(this->Open.begin(), this->Open.end(), &loop));
-    }
-    lock.unlock();
-    loop.function(part);
-    lock.lock();
-    ++loop.finished;
-  }
-
-  std::mutex Mutex;
-  std::condition_variable Changed;
-  std::vector<Loop*> Open; ///< Loops with parts that no thread has taken.
-  bool HasEnded = false;
+  static thread_local int Depth;
 };
 
-thread_local Team* Team::Present = nullptr;
+thread_local int InsideParts::Depth = 0;
 
-/// Calls a function, which must not throw, in the calling thread as the first of a team.
-void RunInTeam(int threads, const std::function<void()>& function)
+/// Calls function(0), …, function(parts − 1), which must not throw, in the threads of the present
+/// arena. While a thread waits for others, it takes parts of this loop only: those of another loop
+/// might wait for something that this thread holds.
+void RunParts(std::size_t parts, const std::function<void(std::size_t)>& function)
 {
-  Team team;
-#pragma omp parallel num_threads(threads)
-  {
-    Team::Present = &team;
-    if (omp_get_thread_num() == 0)
+  // The thread sanitizer does not see how TBB orders the threads, which is in its library, so this
+  // repeats it.
+  std::atomic<std::size_t> order{ 0 };
+  tbb::this_task_arena::isolate(
+    [&]
     {
-      function();
-      team.End();
-    }
-    else
-    {
-      team.Help();
-    }
-    Team::Present = nullptr;
-  }
+      tbb::parallel_for(
+        std::size_t{ 0 }, parts,
+        [&](std::size_t part)
+        {
+          order.load(std::memory_order_acquire);
+          const InsideParts inside;
+          function(part);
+          order.fetch_add(1, std::memory_order_acq_rel);
+        },
+        tbb::simple_partitioner());
+    });
+  order.load(std::memory_order_acquire);
 }
 
-int TeamSize(std::size_t parts)
+/// Calls a function, which must not throw, in the calling thread as the first of several. TBB makes
+/// as many threads as there are processors, unless it is told to make more.
+void RunWithThreads(int threads, const std::function<void()>& function)
+{
+  std::optional<tbb::global_control> more;
+  if (threads > tbb::info::default_concurrency())
+  {
+    more.emplace(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
+  tbb::task_arena arena(threads);
+  arena.execute(
+    [&]
+    {
+      const InsideParts inside;
+      function();
+    });
+}
+
+int ThreadCount(std::size_t parts)
 {
   return static_cast<int>(std::min(parts, static_cast<std::size_t>(ThreadLimit())));
 }
@@ -152,13 +111,13 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
   {
     trace->Run(parts, attempt);
   }
-  else if (Team* const team = Team::Present)
+  else if (InsideParts::Here())
   {
-    team->Run(parts, attempt);
+    RunParts(parts, attempt);
   }
-  else if (const int threads = TeamSize(parts); threads > 1 && omp_in_parallel() == 0)
+  else if (const int threads = ThreadCount(parts); threads > 1 && omp_in_parallel() == 0)
   {
-    RunInTeam(threads, [&] { Team::Present->Run(parts, attempt); });
+    RunWithThreads(threads, [&] { RunParts(parts, attempt); });
   }
   else
   {
@@ -178,15 +137,15 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
 
 void WithAllThreads(const std::function<void()>& function)
 {
-  const int threads = TeamSize(MaximumPartCount);
-  if (PartsTrace::Active() != nullptr || Team::Present != nullptr || threads == 1 ||
+  const int threads = ThreadCount(MaximumPartCount);
+  if (PartsTrace::Active() != nullptr || InsideParts::Here() || threads == 1 ||
     omp_in_parallel() != 0)
   {
     function();
     return;
   }
   std::exception_ptr failure;
-  RunInTeam(threads,
+  RunWithThreads(threads,
     [&]
     {
       try
