@@ -66,8 +66,7 @@ void RunWithThreads(int threads, const std::function<void()>& function)
   std::optional<tbb::global_control> more;
   if (threads > tbb::info::default_concurrency())
   {
-    more.emplace(
-      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
   tbb::task_arena arena(threads);
   arena.execute(

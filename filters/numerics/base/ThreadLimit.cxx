@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #if __has_include(<sys/resource.h>)
 #include <sys/resource.h>
@@ -14,6 +15,8 @@ namespace crossfield
 {
 namespace
 {
+thread_local int LimitOfScopes = std::numeric_limits<int>::max();
+
 bool HasAddressLimit()
 {
 #ifdef RLIMIT_AS
@@ -35,8 +38,19 @@ int ThreadLimit()
   {
     threads = std::min(threads, quota);
   }
-  threads = std::min(threads, omp_get_thread_limit());
+  threads = std::min({ threads, omp_get_thread_limit(), LimitOfScopes });
   return std::max(1, hasAddressLimit ? std::min(threads, MaximumWithAddressLimit) : threads);
+}
+
+WithThreadLimit::WithThreadLimit(int threads)
+  : Before(LimitOfScopes)
+{
+  LimitOfScopes = std::min(LimitOfScopes, threads);
+}
+
+WithThreadLimit::~WithThreadLimit()
+{
+  LimitOfScopes = this->Before;
 }
 
 int ProcessorQuota(const SystemFiles& files)

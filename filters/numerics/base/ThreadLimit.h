@@ -10,8 +10,22 @@ namespace crossfield
 /// A number that the user has set counts as it is: OMP_NUM_THREADS, or omp_set_num_threads in the
 /// host. Without one it is the number of processors to which this process is bound (affinity), and
 /// at most ProcessorQuota. In both cases it is at most OMP_THREAD_LIMIT, and at most 2 under a limit
-/// on the address space (`ulimit -v`), because OpenBLAS reserves addresses for each thread.
+/// on the address space (`ulimit -v`), because OpenBLAS reserves addresses for each thread, and at
+/// most the number of every WithThreadLimit around the call.
 int ThreadLimit();
+
+/// Scope in which computations that this thread starts use at most the given number of threads.
+class WithThreadLimit
+{
+public:
+  explicit WithThreadLimit(int threads);
+  ~WithThreadLimit();
+  WithThreadLimit(const WithThreadLimit&) = delete;
+  WithThreadLimit& operator=(const WithThreadLimit&) = delete;
+
+private:
+  int Before;
+};
 
 /// Returns the number of processors that the control groups of this process (containers) may use
 /// on average, rounded up; 0 if it is not limited. Reads `cpu.max` of version 2, and

@@ -4,6 +4,8 @@
 #include "Error.h"
 #include "MemoryBudget.h"
 #include "Progress.h"
+#include "ThreadLimit.h"
+#include "ThreadsOfVtk.h"
 #include "vtkCrossFieldErrorCodes.h"
 
 #include "vtkAlgorithm.h"
@@ -20,7 +22,10 @@
 #include <string>
 #include <system_error>
 
-/** Calls of the numerics from RequestData: progress, abort and errors are handled in one place. */
+/**
+ * Calls of the numerics from RequestData: progress, abort, errors and the number of threads are
+ * handled in one place.
+ */
 namespace FilterRun
 {
 // CheckAbort() also checks the algorithms downstream. VTK 9.1 does not have it.
@@ -74,6 +79,7 @@ Outcome Try(Algorithm* self, Work work)
       self->UpdateProgress(fraction);
       return !WantsAbort(self, 0);
     });
+  const crossfield::WithThreadLimit threads(ThreadsOfVtk());
   try
   {
     progress.Report(0.0); // an abort before the work begins

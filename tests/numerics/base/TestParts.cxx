@@ -235,6 +235,33 @@ TEST(ThreadLimit, IsAtMostTheNumberThatTheUserSets)
   }
 }
 
+TEST(ThreadLimit, IsAtMostTheNumbersOfTheScopes)
+{
+  const WithThreads with(5);
+  const int before = ThreadLimit();
+  {
+    const WithThreadLimit three(3);
+    EXPECT_EQ(ThreadLimit(), std::min(before, 3));
+    {
+      const WithThreadLimit one(1);
+      const WithThreadLimit four(4);
+      EXPECT_EQ(ThreadLimit(), 1);
+      // Other threads of the host have limits of their own.
+      std::thread(
+        [before]
+        {
+          omp_set_num_threads(5);
+          EXPECT_EQ(ThreadLimit(), before);
+        })
+        .join();
+      const std::thread::id caller = std::this_thread::get_id();
+      ForParts(20, [caller](std::size_t) { EXPECT_EQ(std::this_thread::get_id(), caller); });
+    }
+    EXPECT_EQ(ThreadLimit(), std::min(before, 3));
+  }
+  EXPECT_EQ(ThreadLimit(), before);
+}
+
 TEST(ThreadLimit, ReadsQuotasOfVersion2)
 {
   const GroupFiles groups;
