@@ -9,14 +9,38 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <atomic>
 #include <exception>
 #include <optional>
+
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define CROSSFIELD_THREAD_SANITIZER 1
+#include <sanitizer/tsan_interface.h>
+#endif
+#endif
 
 namespace crossfield
 {
 namespace
 {
+/// Tells the thread sanitizer that what precedes Release precedes what follows Acquire. It cannot
+/// see how TBB orders threads, because that is in a library.
+class Order
+{
+#ifdef CROSSFIELD_THREAD_SANITIZER
+public:
+  void Release() { __tsan_release(&this->Key); }
+  void Acquire() { __tsan_acquire(&this->Key); }
+
+private:
+  char Key = 0;
+#else
+public:
+  void Release() {}
+  void Acquire() {}
+#endif
+};
+
 /// Marks the calling thread as one of those that run the parts of a computation.
 class InsideParts
 {
@@ -39,9 +63,9 @@ thread_local int InsideParts::Depth = 0;
 /// might wait for something that this thread holds.
 void RunParts(std::size_t parts, const std::function<void(std::size_t)>& function)
 {
-  // The thread sanitizer does not see how TBB orders the threads, which is in its library, so this
-  // repeats it.
-  std::atomic<std::size_t> order{ 0 };
+  Order begin;
+  Order end;
+  begin.Release();
   tbb::this_task_arena::isolate(
     [&]
     {
@@ -49,14 +73,14 @@ void RunParts(std::size_t parts, const std::function<void(std::size_t)>& functio
         std::size_t{ 0 }, parts,
         [&](std::size_t part)
         {
-          order.load(std::memory_order_acquire);
+          begin.Acquire();
           const InsideParts inside;
           function(part);
-          order.fetch_add(1, std::memory_order_acq_rel);
+          end.Release();
         },
         tbb::simple_partitioner());
     });
-  order.load(std::memory_order_acquire);
+  end.Acquire();
 }
 
 /// Calls a function, which must not throw, in the calling thread as the first of several. TBB makes
