@@ -1,7 +1,7 @@
 /**
  * Parallel loops, the elimination of a matrix and solves with one factor, in several threads of the
  * host at once: the program for the thread sanitizer (tests/threads/run.sh). Exits with 0 if all
- * threads find the same solution.
+ * threads find the same solution. With an argument, a loop with an error, which must be reported.
  */
 #include "DenseCholesky.h"
 #include "DissectedCholesky.h"
@@ -74,11 +74,31 @@ double Run()
   sum += DenseCholesky<double>(dense).Inverse().squaredNorm();
   return sum + sums[0] + sums[1] + sums[2];
 }
+
+/// Adds to one number in all parts at once: the sanitizer must report it.
+double Race()
+{
+  volatile double sum = 0.0;
+  ForParts(64,
+    [&](std::size_t part)
+    {
+      for (int i = 0; i < 100000; ++i)
+      {
+        sum = sum + 1e-9 * static_cast<double>(part);
+      }
+    });
+  return sum;
+}
 }
 
-int main()
+int main(int count, char**)
 {
   omp_set_num_threads(4);
+  if (count > 1)
+  {
+    std::printf("sum with a race: %g\n", Race());
+    return 0;
+  }
   std::vector<double> results(2);
   std::vector<std::thread> hosts;
   for (double& result : results)

@@ -29,8 +29,14 @@ class Order
 {
 #ifdef CROSSFIELD_THREAD_SANITIZER
 public:
-  void Release() { __tsan_release(&this->Key); }
-  void Acquire() { __tsan_acquire(&this->Key); }
+  void Release()
+  {
+    __tsan_release(&this->Key);
+  }
+  void Acquire()
+  {
+    __tsan_acquire(&this->Key);
+  }
 
 private:
   char Key = 0;
