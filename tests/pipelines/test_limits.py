@@ -113,6 +113,26 @@ class Threads(ProgramTest):
                 self.assertEqual(len(digests), 1)
 
 
+    @unittest.skipUnless(os.geteuid() == 0, "only root can become a user without other processes")
+    def test_a_system_that_denies_threads(self):
+        user = 54321
+        self.folder.chmod(0o777)
+        try:
+            self.run_program("--version", user=user)
+        except PermissionError:
+            self.skipTest("the folder of the program is private")
+        digests = set()
+        for count in (1, 2, 3, 100):
+            result = self.run_program(
+                "solve", "builtin:disk", "-s", "four.csv", "--size", "0.012", "-o", "field.vtu", user=user,
+                env={**os.environ, "OMP_NUM_THREADS": "4", "OPENBLAS_NUM_THREADS": "1"},
+                preexec_fn=lambda count=count: resource.setrlimit(resource.RLIMIT_NPROC, (count, count)))
+            with self.subTest(f"{count} threads"):
+                self.assertEqual((result.returncode, result.stderr), (0, ""), result)
+                digests.add(self.digest("field.vtu"))
+        self.assertEqual(len(digests), 1)
+
+
 class Transactions(ProgramTest):
     """All outputs of a command are put in place, or none."""
 

@@ -66,11 +66,11 @@ def modules_of_the_page(text):
 
 # Patterns of the headers of each library; docs/architecture.md lists the libraries of each module.
 LIBRARIES = {"CGAL": r"CGAL/", "CHOLMOD": r"cholmod\.h", "LAPACK": r"(cblas|lapacke?|openblas\w*)\.h|OpenBLAS's functions",
-             "OpenMP": r"omp\.h", "LEMON": r"lemon/", "GLPK": r"glpk\.h",
+             "OpenMP": r"omp\.h", "TBB": r"tbb/", "LEMON": r"lemon/", "GLPK": r"glpk\.h",
              "Expat": r"expat\.h", "nlohmann-json": r"nlohmann/"}
-# Headers that every module may include: of the standard library, of Eigen, and of the system to
-# query memory.
-EVERYWHERE = r"[a-z_]+$|Eigen/|unistd\.h$|sys/resource\.h$"
+# Headers that every module may include: of the standard library, of Eigen, of the system to query
+# memory, and of the compiler's sanitizers.
+EVERYWHERE = r"[a-z_]+$|Eigen/|unistd\.h$|sys/resource\.h$|sanitizer/"
 
 
 def libraries_of_the_page(text):

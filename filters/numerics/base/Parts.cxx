@@ -109,7 +109,8 @@ void RunWithThreads(int threads, const std::function<void()>& function)
 
 int ThreadCount(std::size_t parts)
 {
-  return static_cast<int>(std::min(parts, static_cast<std::size_t>(ThreadLimit())));
+  const auto threads = static_cast<int>(std::min(parts, static_cast<std::size_t>(ThreadLimit())));
+  return InsideParts::Here() ? threads : StartableThreads(threads);
 }
 }
 

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #if __has_include(<sys/resource.h>)
 #include <sys/resource.h>
@@ -40,6 +44,38 @@ int ThreadLimit()
   }
   threads = std::min({ threads, omp_get_thread_limit(), LimitOfScopes });
   return std::max(1, hasAddressLimit ? std::min(threads, MaximumWithAddressLimit) : threads);
+}
+
+int StartableThreads(int wanted)
+{
+  static std::mutex mutex;
+  static int most = 1;
+  static bool isDenied = false;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (wanted > most && !isDenied)
+  {
+    std::mutex begin; // the threads wait for each other
+    std::unique_lock<std::mutex> wait(begin);
+    std::vector<std::thread> threads;
+    try
+    {
+      for (int i = 1; i < wanted; ++i)
+      {
+        threads.emplace_back([&begin] { const std::lock_guard<std::mutex> begun(begin); });
+      }
+    }
+    catch (const std::system_error&)
+    {
+      isDenied = true;
+    }
+    wait.unlock();
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+    most = std::max(most, 1 + static_cast<int>(threads.size()));
+  }
+  return std::min(wanted, most);
 }
 
 WithThreadLimit::WithThreadLimit(int threads)

@@ -14,6 +14,11 @@ namespace crossfield
 /// most the number of every WithThreadLimit around the call.
 int ThreadLimit();
 
+/// Returns how many threads can run at once, at most `wanted` and at least 1. Starts them if so many
+/// have not been started before, because the system may deny threads that no limit announces
+/// (`ulimit -u`, pids.max of control groups), and TBB ends the program then.
+int StartableThreads(int wanted);
+
 /// Scope in which computations that this thread starts use at most the given number of threads.
 class WithThreadLimit
 {
