@@ -75,12 +75,9 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
     }
     for (std::size_t j = 0; j < i; ++j)
     {
-      if (IsOnBoundary(domain, configuration[j].position))
-      {
-        continue;
-      }
       const double apart = (here.position - configuration[j].position).norm();
-      if (apart <= here.radius + configuration[j].radius)
+      if (apart <= here.radius + configuration[j].radius &&
+        !IsOnBoundary(domain, configuration[j].position))
       {
         text << "The holes of " << Describe(j, configuration[j]) << " and " << Describe(i, here)
              << " overlap: their centres are " << apart << " apart and their radii add up to "

@@ -1,13 +1,13 @@
 #pragma once
 
 // Part of PlanarMesher.cxx, the only file that includes CGAL: the mesh from the triangulation.
+#include "HilbertOrder.h"
 #include "LatticeCore.h"
 #include "MesherTriangulation.h"
 #include "PlanarDomain.h"
 #include "TriangleMesh.h"
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
 #include <utility>
@@ -79,10 +79,9 @@ private:
         places.emplace_back(CGAL::centroid(triangulation.triangle(face)), places.size());
       }
     }
-    // Divided at medians: halving the square would not terminate if two centroids round to one
-    // point.
-    CGAL::hilbert_sort(places.begin(), places.end(),
-      CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Place>>());
+    HilbertOrder(
+      CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Place>>())
+      .Sort(places.begin(), places.end());
     return places;
   }
 
