@@ -3,11 +3,7 @@
 // Part of PlanarMesher.cxx, the only file that includes CGAL: an order of places in the plane.
 #include "Parts.h"
 
-#include <CGAL/Hilbert_sort_median_2.h>
-#include <CGAL/algorithm.h>
-
-#include <boost/random/linear_congruential.hpp>
-#include <boost/random/random_number_generator.hpp>
+#include <CGAL/hilbert_sort.h> // with the random numbers of Boost that it uses
 
 #include <algorithm>
 #include <array>
