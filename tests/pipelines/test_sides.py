@@ -95,6 +95,13 @@ class Sides(ProgramTest):
             again = (self.folder / "b.msh").read_text().split("$Periodic\n")[1].split()
             self.assertEqual(again[:4] + again[21:22], links[:4] + links[21:22], "as gmsh reads it")
 
+    def test_periodic_sides_with_different_layers_match(self):
+        write_domain(self.folder / "passage.vtp", [passage(), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
+        for layers in (["low:0.01,1.2"], ["low:0.01,1.2", "high:0.02,1.2"]):
+            report = self.report("passage.vtp", "--periodic", "low:high", *[x for one in layers for x in ("--layers", one)])
+            self.assertLessEqual(report["periodic"][0]["mismatch"], 1e-12)
+            self.assertEqual(len(report["layers"]), len(layers))
+
     def test_sides_that_are_no_images_are_refused(self):
         write_domain(self.folder / "passage.vtp", [passage(), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
         for pair, reason in (("low:inlet", "The sides 'low' and 'inlet' are not images of each other"),
