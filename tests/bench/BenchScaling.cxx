@@ -3,8 +3,9 @@
  * thread, records the processor time of its parts (PartsTrace.h), and schedules them on 2 to 16
  * ideal processors, each of which takes the next part that is ready.
  *
- *   build/bin/benchScaling [TRIANGLES] [HOLES] [QUADS]      default: 1000000 triangles, a plate with 40 holes,
- *                                                           200000 quads
+ *   build/bin/benchScaling [TRIANGLES] [HOLES] [NUMBER]
+ *
+ * TRIANGLES of the disk (1000000), HOLES of the plate (40), NUMBER of quads of the large mesh (200000).
  *
  * OMP_NUM_THREADS sets how many candidates of a search are evaluated at the same time (Candidates.h), some of them in
  * vain: for a row with a search on P processors, compare the time of a run with OMP_NUM_THREADS=1 with that of one
