@@ -3,6 +3,7 @@
 #include "ZlibBlock.h"
 
 #include "vtkCellData.h"
+#include "vtkCrossFieldParts.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -10,10 +11,8 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <new>
-#include <thread>
 #include <utility>
 
 vtkStandardNewMacro(BlockCompressor);
@@ -56,38 +55,19 @@ void BlockCompressor::Compress(vtkDataSet* data, size_t blockSize)
   {
     blocks.push_back(&block);
   }
-  std::atomic<size_t> next{ 0 };
-  const auto work = [&]
-  {
-    try
+  vtkCrossFieldParts::Run(blocks.size(),
+    [&](size_t i)
     {
-      for (size_t i = next++; i < blocks.size(); i = next++)
+      Block& block = blocks[i]->second;
+      try
       {
-        Block& block = blocks[i]->second;
         block.compressed = ZlibBlock::Compress(blocks[i]->first, block.size);
       }
-    }
-    catch (const std::bad_alloc&)
-    {
-      next = blocks.size(); // the remaining blocks are compressed when the writer requests them
-    }
-  };
-  std::vector<std::thread> threads;
-  try
-  {
-    for (unsigned int i = 1; i < std::thread::hardware_concurrency(); ++i)
-    {
-      threads.emplace_back(work);
-    }
-  }
-  catch (const std::exception&) // no memory for another thread: use those that run
-  {
-  }
-  work();
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
+      catch (const std::bad_alloc&)
+      {
+        // This block is compressed when the writer requests it.
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -9,10 +9,10 @@
 class vtkDataSet;
 
 /**
- * zlib compressor for VTK's writers that uses all cores. A writer requests one block after another.
+ * zlib compressor for VTK's writers that uses as many threads as the filters. A writer requests one block after another.
  * This compressor has compressed the blocks of the data set's arrays beforehand, in parallel and
  * with ZlibBlock.h; it compresses other blocks when they are requested. The file does not depend on
- * the number of cores.
+ * the number of threads.
  */
 class BlockCompressor : public vtkZLibDataCompressor
 {

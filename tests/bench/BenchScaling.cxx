@@ -3,7 +3,13 @@
  * thread, records the processor time of its parts (PartsTrace.h), and schedules them on 2 to 16
  * ideal processors, each of which takes the next part that is ready.
  *
- *   build/bin/benchScaling [TRIANGLES] [HOLES]      default: 1000000 triangles, a plate with 40 holes
+ *   build/bin/benchScaling [TRIANGLES] [HOLES] [NUMBER]
+ *
+ * TRIANGLES of the disk (1000000), HOLES of the plate (40), NUMBER of quads of the large mesh (200000).
+ *
+ * OMP_NUM_THREADS sets how many candidates of a search are evaluated at the same time (Candidates.h), some of them in
+ * vain: for a row with a search on P processors, compare the time of a run with OMP_NUM_THREADS=1 with that of one
+ * with P, divided by its ratio at P.
  *
  * One row per computation: seconds in one thread, the part outside of all parallel loops, and the
  * ratio of the time in one thread to that on 2, 4, 8 and 16 processors.
@@ -14,8 +20,13 @@
 #include "DrillHoles.h"
 #include "HField.h"
 #include "MakePlanarDomain.h"
+#include "MeshForPoints.h"
 #include "PartsTrace.h"
 #include "PerforatedSolve.h"
+#include "QuadMesher.h"
+#include "QuadWorkflow.h"
+#include "SeamlessMapSolve.h"
+#include "TMeshPatches.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -78,6 +89,38 @@ TriangleMesh Disk(std::int64_t triangles, const Configuration& holes)
   options.meshSize = disk.edgeLength;
   return DrillHoles(MakePlanarDomain(MakeBuiltinDomain(disk)), holes, options);
 }
+
+/// Measures all steps from a bare domain to about a thousand quads, those after the choice of
+/// singularities, and these again with fewer blocks.
+void MeasureDomain(const std::string& name, const PlanarDomain& domain)
+{
+  QuadRequest request;
+  request.quadCount = 1000;
+  Measure((name + ", bare domain to quads").c_str(),
+    [&] { request.singularities = MakeQuadMesh(domain, request).singularities; });
+  Measure((name + ", quads").c_str(), [&] { MakeQuadMesh(domain, request); });
+  request.merge = BlockMerge::Coarse;
+  Measure((name + ", fewer blocks").c_str(), [&] { MakeQuadMesh(domain, request); });
+}
+
+/// Measures a large mesh of quads of one map: building, smoothing, blocks and quality.
+void MeasureQuads(int quads)
+{
+  BuiltinDomain disk;
+  disk.edgeLength = MeshSizeFor(10000);
+  const SeamlessMap map = SolveSeamlessMap(
+    ShareTopology(
+      MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength)),
+    EightHoles());
+  for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform })
+  {
+    QuadOptions options;
+    options.quadCount = quads;
+    options.sizes.sizing = sizing;
+    Measure(sizing == Sizing::Conformal ? "many quads" : "many quads of uniform size",
+      [&] { MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options); });
+  }
+}
 }
 
 int main(int count, char** arguments)
@@ -96,6 +139,11 @@ int main(int count, char** arguments)
     topology = ShareTopology(Disk(triangles, {}));
     Measure("H and W of eight points", [&] { SolveHField(topology, EightHoles()); });
   }
+  MeasureQuads(count > 3 ? std::atoi(arguments[3]) : 200000);
+  BuiltinDomain star;
+  star.name = "star";
+  MeasureDomain("star", MakePlanarDomain(MakeBuiltinDomain(star)));
+  MeasureDomain("plate with 9 holes", Plate(9));
   const PlanarDomain plate = Plate(holes);
   AutomaticOptions options;
   options.quadCount = 1000;

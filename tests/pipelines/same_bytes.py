@@ -52,6 +52,9 @@ RUNS = (
     "quads builtin:star -o {o}.vtu --json {o}.json",
     "quads builtin:ellipse --merge clean -o {o}.vtu --json {o}.json",
     "quads plate9.csv --merge coarse --order 2 -o {o}.msh --json {o}.json",
+    "quads plate9.csv --merge clean -o {o}.vtu --json {o}.json",
+    "quads builtin:star --merge coarse -o {o}.vtu --json {o}.json",
+    "quads builtin:disk -s four.csv --quads 60000 --sizing uniform -o {o}.vtu --blocks {o}.vtm --json {o}.json",
     "quads builtin:square --sizing uniform --layers outer0:0.005 -o {o}.vtu --json {o}.json",
     "figures --only disk_holes,h_field -o {o}",
 )

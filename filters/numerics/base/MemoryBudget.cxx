@@ -18,6 +18,10 @@ namespace
 {
 constexpr double GiB = 1024.0 * 1024.0 * 1024.0;
 
+/// Bytes for which RequireMemory does not read the limits, which takes as long as a small problem: a
+/// search solves thousands of these. The libraries of a process take more.
+constexpr double AlwaysAvailable = 16.0 * 1024.0 * 1024.0;
+
 void Lower(std::optional<double>& minimum, double bytes)
 {
   minimum = std::max(0.0, minimum.has_value() ? std::min(*minimum, bytes) : bytes);
@@ -115,6 +119,10 @@ std::optional<double> AvailableMemory(const SystemFiles& files)
 
 void RequireMemory(double bytes, const std::string& what, const std::string& remedy)
 {
+  if (bytes <= AlwaysAvailable)
+  {
+    return;
+  }
   const std::optional<double> available = AvailableMemory();
   if (available.has_value() && !(bytes <= *available))
   {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "PlanarDomain.h"
+#include "PotentialSolver.h"
 #include "Progress.h"
 #include "SeamlessMapSolve.h"
 #include "TMesh.h"
 #include "TargetSize.h"
+
+#include <memory>
 
 namespace crossfield
 {
@@ -14,6 +17,8 @@ struct ClosingLayout
   Configuration singularities;
   SeamlessMap map;
   TMesh tMesh;
+  /// The factor that the map was solved with, which derivatives use again; may be null.
+  std::shared_ptr<const PotentialSolver> potential = nullptr;
 };
 
 struct ClosingOptions

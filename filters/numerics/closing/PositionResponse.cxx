@@ -72,7 +72,8 @@ Eigen::VectorXd FindAccurateDistances(const SeamlessMap& map, const std::vector<
 }
 }
 
-PositionResponse::PositionResponse(const SeamlessMap& map, const Progress& progress)
+PositionResponse::PositionResponse(const SeamlessMap& map,
+  std::shared_ptr<const PotentialSolver> potential, const Progress& progress)
   : Map(map)
 {
   for (int c = 0; c < static_cast<int>(map.cones.size()); ++c)
@@ -85,13 +86,16 @@ PositionResponse::PositionResponse(const SeamlessMap& map, const Progress& progr
   }
   this->AccurateDistances = FindAccurateDistances(map, this->Moving);
   const MeshTopology& topology = *map.topology;
-  const PotentialSolver potential(map.topology, progress.Part(0.0, 0.5));
+  if (!potential)
+  {
+    potential = std::make_shared<const PotentialSolver>(map.topology, progress.Part(0.0, 0.5));
+  }
   const Eigen::MatrixXd solution =
-    0.25 * potential.SolveSingleValued(Sources(potential, map, this->Moving));
-  const Eigen::Index vertices = potential.GetOperator().VertexCount();
+    0.25 * potential->SolveSingleValued(Sources(*potential, map, this->Moving));
+  const Eigen::Index vertices = potential->GetOperator().VertexCount();
   this->Real = solution.topRows(vertices).transpose();
   progress.Report(0.8);
-  this->Imaginary = IntegrateConjugate(topology.mesh, topology.edges, potential.Gradient(solution),
+  this->Imaginary = IntegrateConjugate(topology.mesh, topology.edges, potential->Gradient(solution),
     topology.EdgeOfBoundary(topology.FirstOuterEdge()), Eigen::VectorXd::Zero(this->Columns()));
   // θ does not change on the outer loop, which determines the constant of V.
   std::vector<Eigen::VectorXd> means;

@@ -4,6 +4,7 @@
 #include "SeamlessMap.h"
 
 #include <complex>
+#include <memory>
 
 namespace crossfield
 {
@@ -13,12 +14,14 @@ namespace crossfield
 /// where R is analytic, its real part U is piecewise linear, and its imaginary part V has values at
 /// the midpoints of edges. There is one R for β = 1 and one for β = i per singularity.
 ///
-/// Needs one factorisation and 2N back-substitutions for N singularities.
+/// Needs one factorisation, unless the solver of the map is given, and 2N back-substitutions for N
+/// singularities.
 class PositionResponse
 {
 public:
   /// Computes the response to moves of the interior singularities of a map on its mesh.
-  PositionResponse(const SeamlessMap& map, const Progress& progress = {});
+  PositionResponse(const SeamlessMap& map,
+    std::shared_ptr<const PotentialSolver> potential = nullptr, const Progress& progress = {});
 
   /// Returns the cones that may move, rows of SeamlessMap::cones. Coordinates x and y of the m-th
   /// one are columns 2m and 2m + 1 of all derivatives.

@@ -85,14 +85,17 @@ std::vector<Cone> FindCones(
   return cones;
 }
 
-/// Solves for H and the crosses. Frees their factor before that of the map is made, which takes
-/// twice as much memory. Sets the holonomy defects.
-TriangleFrames SolveFrames(const SharedTopology& topology, Alignment alignment,
-  const Configuration& interior, std::vector<double>& holonomyDefect, const Progress& progress)
+/// Solves for H and the crosses. Without a given solver, frees their factor before that of the map is
+/// made, which takes twice as much memory. Sets the holonomy defects.
+TriangleFrames SolveFrames(const SharedTopology& topology,
+  std::shared_ptr<const PotentialSolver> solver, Alignment alignment, const Configuration& interior,
+  std::vector<double>& holonomyDefect, const Progress& progress)
 {
-  const PointPotential potential(
-    std::make_shared<const PotentialSolver>(topology, progress.Part(0.0, 0.7)),
-    std::move(alignment));
+  if (!solver)
+  {
+    solver = std::make_shared<const PotentialSolver>(topology, progress.Part(0.0, 0.7));
+  }
+  const PointPotential potential(std::move(solver), std::move(alignment));
   const PointPotential::Solution solution = potential.Solve(interior);
   holonomyDefect = solution.holonomyDefect;
   TriangleFrames frames = FrameTriangles(potential, solution);
@@ -150,7 +153,8 @@ PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuratio
 }
 
 SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration& configuration,
-  const SeamlessMapOptions& options, const Progress& progress)
+  const SeamlessMapOptions& options, const Progress& progress,
+  const std::shared_ptr<const PotentialSolver>& potential)
 {
   for (const Singularity& singularity : configuration)
   {
@@ -165,8 +169,8 @@ SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration
   const std::vector<Cone> cones = FindCones(*topology, placed, alignment.count);
   progress.Report(0.05);
   std::vector<double> holonomyDefect;
-  const TriangleFrames frames = SolveFrames(
-    topology, std::move(alignment), placed.interior, holonomyDefect, progress.Part(0.05, 0.3));
+  const TriangleFrames frames = SolveFrames(topology, potential, std::move(alignment),
+    placed.interior, holonomyDefect, progress.Part(0.05, 0.3));
   SeamlessMap map = SolveTargets(
     { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 0.5));
   if (const auto fault = FindFault(map))

@@ -2,9 +2,12 @@
 
 #include "BoundaryCorners.h"
 #include "ConfigurationPlacement.h"
+#include "PotentialSolver.h"
 #include "Progress.h"
 #include "SeamlessMap.h"
 #include "Singularity.h"
+
+#include <memory>
 
 namespace crossfield
 {
@@ -21,11 +24,12 @@ PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuratio
   const SeamlessMapOptions& options);
 
 /// Solves for the seamless map on a mesh with a vertex at every singularity (MeshThroughPoints).
-/// Needs one factorisation for H and one for w.
+/// Needs one factorisation for H, unless the solver of this mesh is given, and one for w.
 ///
 /// Throws Error when a singularity has quarter index 3 or more or is at no vertex, when a corner
 /// has index 2 or more, when the configuration is not consistent, and, with the location, when the
 /// map folds over or the angles at a vertex do not add up.
 SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration& configuration,
-  const SeamlessMapOptions& options = {}, const Progress& progress = {});
+  const SeamlessMapOptions& options = {}, const Progress& progress = {},
+  const std::shared_ptr<const PotentialSolver>& potential = nullptr);
 }

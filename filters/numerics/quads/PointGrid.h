@@ -19,13 +19,15 @@ public:
   double EdgesBetween(const Point& place, int p) const;
 
 private:
-  using Entry = std::pair<std::array<long long, 2>, int>;
+  using Entry = std::pair<long long, int>; ///< Row of the cell, and a point in it.
 
   std::array<long long, 2> CellOf(const Point& place) const;
 
   const QuadMesh& Mesh;
   std::vector<double> Reach; ///< Search radius per point.
   double Cell = 1.0;
-  std::vector<Entry> Cells; ///< Points by cell, sorted.
+  long long FirstColumn = 0;
+  std::vector<int> Columns; ///< First of the entries of each column of cells, and their number.
+  std::vector<Entry> Cells; ///< Points by column, then by row, sorted.
 };
 }

@@ -6,6 +6,7 @@
 #include "ChartWalk.h"
 #include "Error.h"
 #include "Index.h"
+#include "Parts.h"
 #include "QuadSides.h"
 
 #include <algorithm>
@@ -35,6 +36,16 @@ struct PatchLattice
   std::size_t At(int i, int j) const { return Index(j) * Index(this->columns + 1) + Index(i); }
 };
 
+/// Where the inner points and the quads of a patch begin in the mesh.
+struct PatchPlace
+{
+  int point = 0;
+  int quad = 0;
+};
+
+/// Minimum number of quads in a part: half a millisecond.
+constexpr std::ptrdiff_t MinimumBuilt = 5000;
+
 class QuadBuilder
 {
 public:
@@ -56,12 +67,8 @@ public:
 
   QuadMesh Build(const BoundarySides& sides)
   {
-    this->Reserve();
     this->PlaceArcPoints();
-    for (std::size_t f = 0; f < this->Separatrices.patches.size(); ++f)
-    {
-      this->BuildPatch(f);
-    }
+    this->BuildPatches();
     this->AddBoundary();
     this->CountValences();
     this->FixCorners();
@@ -71,18 +78,50 @@ public:
   }
 
 private:
-  /// Reserves memory for all quads, and for as many inner points.
-  void Reserve()
+  /// Builds all patches, in parts of about as many quads.
+  void BuildPatches()
   {
-    std::size_t quads = 0;
-    for (const TPatch& patch : this->Separatrices.patches)
+    const std::size_t patches = this->Separatrices.patches.size();
+    std::vector<PatchPlace> places(patches + 1);
+    places[0].point = static_cast<int>(this->Mesh.points.size());
+    for (std::size_t f = 0; f < patches; ++f)
     {
-      quads += Index(this->Points.SideCount(patch, 0)) * Index(this->Points.SideCount(patch, 1));
+      const int columns = this->Points.SideCount(this->Separatrices.patches[f], 0);
+      const int rows = this->Points.SideCount(this->Separatrices.patches[f], 1);
+      places[f + 1] = places[f];
+      if (columns > 0 && rows > 0)
+      {
+        places[f + 1].point += (columns - 1) * (rows - 1);
+        places[f + 1].quad += columns * rows;
+      }
     }
-    this->Mesh.points.reserve(quads + Index(this->Points.Count()));
-    this->Mesh.quads.reserve(quads);
-    this->Mesh.targetLengths.reserve(quads);
-    this->Mesh.patch.reserve(quads);
+    const int quads = places.back().quad;
+    this->Mesh.points.resize(Index(places.back().point));
+    this->Mesh.quads.resize(Index(quads));
+    this->Mesh.targetLengths.resize(Index(quads));
+    this->Mesh.patch.resize(Index(quads));
+    for (int point = 0; point < this->Points.Count(); ++point)
+    {
+      this->PointNumbers.push_back(this->Numbers[Index(this->Classes.Find(point))]);
+    }
+    const std::size_t parts = PartCount(quads, MinimumBuilt);
+    const auto firstOf = [&](int quad)
+    {
+      return static_cast<std::size_t>(
+        std::lower_bound(places.begin(), places.end(), quad,
+          [](const PatchPlace& place, int bound) { return place.quad < bound; }) -
+        places.begin());
+    };
+    ForParts(parts,
+      [&](std::size_t part)
+      {
+        const auto [begin, end] = PartRange(quads, part, parts);
+        const std::size_t last = part + 1 == parts ? patches : firstOf(end);
+        for (std::size_t f = part == 0 ? 0 : firstOf(begin); f < last; ++f)
+        {
+          this->BuildPatch(f, places[f]);
+        }
+      });
   }
 
   /// Returns the point at a distance along a half-edge.
@@ -199,8 +238,8 @@ private:
     return points;
   }
 
-  /// Adds the quads of a patch, and its inner points.
-  void BuildPatch(std::size_t f)
+  /// Stores the quads of a patch, and its inner points.
+  void BuildPatch(std::size_t f, const PatchPlace& at)
   {
     const TPatch& patch = this->Separatrices.patches[f];
     PatchLattice lattice;
@@ -214,12 +253,13 @@ private:
     lattice.positions.resize(lattice.points.size());
     const std::vector<SidePoint> first = this->SideOf(patch, 0);
     this->PlaceSides(patch, first, lattice);
-    this->PlaceInnerPoints(first, lattice);
-    this->AddQuads(lattice, static_cast<int>(f));
+    this->PlaceInnerPoints(first, at.point, lattice);
+    this->StoreQuads(lattice, static_cast<int>(f), at.quad);
   }
 
   /// Sets the points on the sides of a lattice; `first` are those of side 0.
-  void PlaceSides(const TPatch& patch, const std::vector<SidePoint>& first, PatchLattice& lattice)
+  void PlaceSides(
+    const TPatch& patch, const std::vector<SidePoint>& first, PatchLattice& lattice) const
   {
     const int a = lattice.columns;
     const int b = lattice.rows;
@@ -230,7 +270,7 @@ private:
     const std::vector<SidePoint> fourth = this->SideOf(patch, 3);
     const auto set = [&](int i, int j, const SidePoint& point, const Point& position)
     {
-      lattice.points[lattice.At(i, j)] = this->Numbers[Index(this->Classes.Find(point.point))];
+      lattice.points[lattice.At(i, j)] = this->PointNumbers[Index(point.point)];
       lattice.positions[lattice.At(i, j)] = position;
     };
     for (int i = 0; i <= a; ++i)
@@ -249,9 +289,9 @@ private:
     }
   }
 
-  /// Adds the inner points of a lattice by Coons' formula. Each column starts at its point `first`
-  /// on side 0.
-  void PlaceInnerPoints(const std::vector<SidePoint>& first, PatchLattice& lattice)
+  /// Stores the inner points of a lattice by Coons' formula, in the mesh from `next` on. Each column
+  /// starts at its point `first` on side 0.
+  void PlaceInnerPoints(const std::vector<SidePoint>& first, int next, PatchLattice& lattice)
   {
     const int a = lattice.columns;
     const int b = lattice.rows;
@@ -272,20 +312,20 @@ private:
         QuadPoint point;
         point.place = PlanePoint(this->Map, place);
         point.scale = PlaneScale(this->Map, place.triangle);
-        lattice.points[lattice.At(i, j)] = static_cast<int>(this->Mesh.points.size());
-        this->Mesh.points.push_back(point);
+        lattice.points[lattice.At(i, j)] = next;
+        this->Mesh.points[Index(next++)] = point;
       }
     }
   }
 
-  /// Adds the quads of a lattice with their target lengths.
-  void AddQuads(const PatchLattice& lattice, int patch)
+  /// Stores the quads of a lattice with their target lengths, in the mesh from `next` on.
+  void StoreQuads(const PatchLattice& lattice, int patch, int next)
   {
     // A side of nearly zero length gets a target of a quarter of the size.
     const double minimum = 0.25 * this->Size;
     for (int j = 0; j < lattice.rows; ++j)
     {
-      for (int i = 0; i < lattice.columns; ++i)
+      for (int i = 0; i < lattice.columns; ++i, ++next)
       {
         const std::array<std::size_t, 4> c = { lattice.At(i, j), lattice.At(i + 1, j),
           lattice.At(i + 1, j + 1), lattice.At(i, j + 1) };
@@ -300,7 +340,7 @@ private:
         }
         const double wide = 0.5 * (p[1].x() - p[0].x() + p[2].x() - p[3].x());
         const double high = 0.5 * (p[3].y() - p[0].y() + p[2].y() - p[1].y());
-        this->Mesh.quads.push_back(quad);
+        this->Mesh.quads[Index(next)] = quad;
         double longest = 0.0;
         for (std::size_t k = 0; k < 4; ++k)
         {
@@ -312,8 +352,8 @@ private:
         // Where the map changes size within a quad, e^H at its corners says little.
         const auto limited = [&](double length)
         { return std::clamp(scale * std::max(minimum, length), 0.25 * longest, 2.0 * longest); };
-        this->Mesh.targetLengths.push_back({ limited(wide), limited(high) });
-        this->Mesh.patch.push_back(patch);
+        this->Mesh.targetLengths[Index(next)] = { limited(wide), limited(high) };
+        this->Mesh.patch[Index(next)] = patch;
       }
     }
   }
@@ -332,7 +372,7 @@ private:
       {
         const auto half = static_cast<int>(2 * a);
         const auto number = [this, half](int k)
-        { return this->Numbers[Index(this->Classes.Find(this->Points.At(half, k)))]; };
+        { return this->PointNumbers[Index(this->Points.At(half, k))]; };
         this->Mesh.boundary.push_back({ { number(j), number(j + 1) }, edge.kind, edge.id });
       }
     }
@@ -396,6 +436,7 @@ private:
   const double Size;
   std::vector<int>
     Numbers; ///< Index in the mesh of every class of coincident points, −1 if it has none yet.
+  std::vector<int> PointNumbers; ///< That of the class of every point.
   QuadMesh Mesh;
 };
 }

@@ -11,9 +11,6 @@ namespace
 {
 /// Number of corrections that L-BFGS stores.
 constexpr std::size_t MaximumCorrections = 8;
-
-/// Minimum number of unknowns in a part: a pass over the vectors does little with each.
-constexpr Eigen::Index MinimumUnknowns = 20000;
 }
 
 QuadDescent::QuadDescent(QuadEnergy& energy)
@@ -162,7 +159,16 @@ int QuadDescent::Descend(
     const auto decreases = [&] { return nextValue <= value + 1e-4 * length * slope; };
     for (int halving = 0; halving < 30; ++halving, length *= 0.5)
     {
-      this->Next = unknowns + length * this->Direction;
+      this->Next.resize(this->Size);
+      ForRanges(
+        this->Size,
+        [&](int begin, int end)
+        {
+          const int size = end - begin;
+          this->Next.segment(begin, size) =
+            unknowns.segment(begin, size) + length * this->Direction.segment(begin, size);
+        },
+        MinimumUnknowns);
       nextValue = this->Energy.Value(this->Next, epsilon, &this->NextGradient);
       if (decreases())
       {

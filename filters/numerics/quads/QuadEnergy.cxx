@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace crossfield
@@ -187,7 +186,12 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
 
 void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
 {
-  this->Positions = unknowns;
+  this->Positions.resize(unknowns.size());
+  ForRanges(
+    unknowns.size(),
+    [&](int begin, int end)
+    { this->Positions.segment(begin, end - begin) = unknowns.segment(begin, end - begin); },
+    MinimumUnknowns);
   for (const int p : this->OnBoundary)
   {
     this->Positions.segment<2>(FirstUnknown(p)) =
@@ -252,27 +256,6 @@ double QuadEnergy::RangeValue(int begin, int end, double epsilon, const StoreQua
   return energy;
 }
 
-void QuadEnergy::ListCorners()
-{
-  const std::size_t points = this->Mesh.points.size();
-  this->FirstCorner.assign(points + 1, 0);
-  for (const std::array<int, 4>& quad : this->Mesh.quads)
-  {
-    for (const int p : quad)
-    {
-      ++this->FirstCorner[Index(p) + 1];
-    }
-  }
-  std::partial_sum(this->FirstCorner.begin(), this->FirstCorner.end(), this->FirstCorner.begin());
-  std::vector<int> next(this->FirstCorner.begin(), this->FirstCorner.end() - 1);
-  this->Corners.resize(4 * this->Mesh.quads.size());
-  for (int corner = 0; corner < static_cast<int>(this->Corners.size()); ++corner)
-  {
-    const int p = this->Mesh.quads[Index(corner / 4)][Index(corner % 4)];
-    this->Corners[Index(next[Index(p)]++)] = corner;
-  }
-}
-
 double QuadEnergy::QuadsValue(double epsilon, Eigen::VectorXd* gradient)
 {
   const auto quads = static_cast<std::ptrdiff_t>(this->Mesh.quads.size());
@@ -283,9 +266,9 @@ double QuadEnergy::QuadsValue(double epsilon, Eigen::VectorXd* gradient)
       quads, [&](int begin, int end) { return this->RangeValue(begin, end, epsilon, none); },
       MinimumQuads);
   }
-  gradient->setZero(this->Positions.size());
   if (PartCount(quads, MinimumQuads) == 1)
   {
+    gradient->setZero(this->Positions.size());
     return this->RangeValue(0, static_cast<int>(quads), epsilon,
       [&](std::size_t q, const std::array<Point, 4>& ofQuad)
       {
@@ -296,9 +279,10 @@ double QuadEnergy::QuadsValue(double epsilon, Eigen::VectorXd* gradient)
       });
   }
   // The gradients of the quads, then their sum at each point, in the same order as above.
-  if (this->Corners.empty())
+  gradient->resize(this->Positions.size());
+  if (!this->Corners)
   {
-    this->ListCorners();
+    this->Corners.emplace(this->Mesh);
     this->OfQuads.resize(this->Mesh.quads.size());
   }
   const double energy = SumOfRanges(
@@ -318,9 +302,10 @@ double QuadEnergy::QuadsValue(double epsilon, Eigen::VectorXd* gradient)
         for (int p = begin; p < end; ++p)
         {
           auto sum = gradient->segment<2>(FirstUnknown(p));
-          for (int i = this->FirstCorner[Index(p)]; i < this->FirstCorner[Index(p) + 1]; ++i)
+          sum.setZero();
+          for (int i = this->Corners->Begin(p); i < this->Corners->Begin(p + 1); ++i)
           {
-            const int corner = this->Corners[Index(i)];
+            const int corner = this->Corners->Get(i);
             sum += this->OfQuads[Index(corner / 4)][Index(corner % 4)];
           }
         }
@@ -336,7 +321,15 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   double energy = this->QuadsValue(epsilon, gradient);
   if (this->Slope.size() > 0)
   {
-    energy -= this->Slope.dot(unknowns - this->Origin);
+    energy -= SumOfRanges(
+      unknowns.size(),
+      [&](int begin, int end)
+      {
+        const int size = end - begin;
+        return this->Slope.segment(begin, size)
+          .dot(unknowns.segment(begin, size) - this->Origin.segment(begin, size));
+      },
+      MinimumUnknowns);
   }
   if (gradient == nullptr || !std::isfinite(energy))
   {
@@ -357,7 +350,11 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   }
   if (this->Slope.size() > 0)
   {
-    *gradient -= this->Slope;
+    ForRanges(
+      unknowns.size(),
+      [&](int begin, int end)
+      { gradient->segment(begin, end - begin) -= this->Slope.segment(begin, end - begin); },
+      MinimumUnknowns);
   }
   energy += this->BoundaryValue(unknowns, gradient);
   for (const int p : this->Fixed)
@@ -447,13 +444,21 @@ double QuadEnergy::BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorX
 double QuadEnergy::MinimumDeterminant(const Eigen::VectorXd& unknowns)
 {
   this->SetPositions(unknowns);
-  double minimum = std::numeric_limits<double>::infinity();
-  for (std::size_t q = 0; q < this->Mesh.quads.size(); ++q)
-  {
-    const QuadFrame frame = FrameOf(this->Mesh, this->Positions, q);
-    minimum = std::min({ minimum, frame.Determinant(0, 0), frame.Determinant(0, 1),
-      frame.Determinant(1, 0), frame.Determinant(1, 1) });
-  }
-  return minimum;
+  const auto quads = static_cast<std::ptrdiff_t>(this->Mesh.quads.size());
+  std::vector<double> minima(
+    PartCount(quads, MinimumQuads), std::numeric_limits<double>::infinity());
+  ForParts(minima.size(),
+    [&](std::size_t part)
+    {
+      double& minimum = minima[part];
+      const auto [begin, end] = PartRange(quads, part, minima.size());
+      for (std::size_t q = Index(begin); q < Index(end); ++q)
+      {
+        const QuadFrame frame = FrameOf(this->Mesh, this->Positions, q);
+        minimum = std::min({ minimum, frame.Determinant(0, 0), frame.Determinant(0, 1),
+          frame.Determinant(1, 0), frame.Determinant(1, 1) });
+      }
+    });
+  return *std::min_element(minima.begin(), minima.end());
 }
 }

@@ -1,13 +1,19 @@
 #pragma once
 
+#include "PointCorners.h"
 #include "QuadMesh.h"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
+#include <optional>
 
 namespace crossfield
 {
+/// Minimum number of unknowns in a part: a pass over vectors does little with each.
+constexpr std::ptrdiff_t MinimumUnknowns = 20000;
+
 /// Returns the index of the first of the two unknowns of a point.
 inline Eigen::Index FirstUnknown(int point)
 {
@@ -94,9 +100,6 @@ private:
   double RangeValue(int begin, int end, double epsilon, const StoreQuad& store) const;
   /// Returns the energy of all quads, and sets its gradient in the plane if requested.
   double QuadsValue(double epsilon, Eigen::VectorXd* gradient);
-  /// Lists the corners of quads at each point, for gradients in several parts.
-  void ListCorners();
-
   const QuadMesh& Mesh;
   const BoundaryCurves& Curves;
   const double SizePart;
@@ -112,8 +115,6 @@ private:
   Eigen::VectorXd Origin;                    ///< Unknowns at which the tilt vanishes.
   Eigen::VectorXd Positions;                 ///< Positions of all points.
   std::vector<std::array<Point, 4>> OfQuads; ///< Gradients of the quads, if they are in parts.
-  /// Corners, four times the quad plus its corner, at each point, and the first of each point.
-  std::vector<int> Corners;
-  std::vector<int> FirstCorner;
+  std::optional<PointCorners> Corners;       ///< Made for gradients in several parts.
 };
 }

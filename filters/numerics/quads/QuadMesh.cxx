@@ -1,6 +1,7 @@
 #include "QuadMesh.h"
 
 #include "Error.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <numeric>
@@ -44,7 +45,7 @@ std::vector<int> QuadMesh::Twins() const
   }
   // 2. Match sides of the same edge, which have opposite directions.
   std::vector<int> twins(sides.size(), -1);
-  for (std::size_t p = 0; p + 1 < starts.size(); ++p)
+  const auto match = [&](std::size_t p)
   {
     for (int i = starts[p]; i < starts[p + 1]; ++i)
     {
@@ -66,7 +67,15 @@ std::vector<int> QuadMesh::Twins() const
         twins[index(other.number)] = mine.number;
       }
     }
-  }
+  };
+  ForRanges(static_cast<std::ptrdiff_t>(this->points.size()),
+    [&](int begin, int end)
+    {
+      for (int p = begin; p < end; ++p)
+      {
+        match(index(p));
+      }
+    });
   return twins;
 }
 

@@ -2,6 +2,7 @@
 
 #include "BoundaryOrder.h"
 #include "BoundarySymmetry.h"
+#include "Candidates.h"
 #include "Chords.h"
 #include "Error.h"
 #include "GradedArcs.h"
@@ -131,25 +132,34 @@ public:
     std::stable_sort(candidates.begin(), candidates.end(),
       [](const QuadResult& a, const QuadResult& b)
       { return a.blocks.blocks.size() < b.blocks.blocks.size(); });
+    candidates.erase(std::find_if(candidates.begin(), candidates.end(),
+                       [&](const QuadResult& candidate) {
+                         return candidate.blocks.blocks.size() >= this->Result.blocks.blocks.size();
+                       }),
+      candidates.end());
     const double minimum = AcceptedFraction * this->Result.quality.jacobian.min;
-    for (std::size_t i = 0; i < candidates.size(); ++i)
-    {
-      QuadResult& candidate = candidates[i];
-      if (candidate.blocks.blocks.size() >= this->Result.blocks.blocks.size())
+    const auto count = static_cast<double>(candidates.size());
+    ProgressOfParts shared(progress);
+    AcceptFirst(
+      candidates.size(), CandidateBatch(this->Result.mesh.quads.size()),
+      [&](std::size_t i)
       {
-        return;
-      }
-      const auto count = static_cast<double>(candidates.size());
-      this->Build(candidate);
-      this->Smooth(candidate,
-        progress.Part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
-      if (candidate.quality.inverted == 0 && candidate.quality.jacobian.min >= minimum)
+        QuadResult candidate = std::move(candidates[i]);
+        const auto done = static_cast<double>(i);
+        this->Build(candidate);
+        this->Smooth(candidate, shared.Get().Part(done / count, (done + 1.0) / count));
+        return candidate;
+      },
+      [&](std::size_t, QuadResult candidate)
       {
+        if (candidate.quality.inverted > 0 || candidate.quality.jacobian.min < minimum)
+        {
+          return false;
+        }
         candidate.separateBlocks = this->Result.separateBlocks;
         this->Result = std::move(candidate);
-        return;
-      }
-    }
+        return true;
+      });
   }
 
 private:
@@ -308,32 +318,58 @@ private:
   /// of sizes from the target size up to that of the domain.
   std::vector<QuadResult> CoarseCandidates() const
   {
-    std::vector<QuadResult> results;
-    std::vector<int> last;
+    struct Solution
+    {
+      double size = 0.0;
+      EdgeCounts counts;
+    };
+    std::vector<Solution> solutions;
     const double largest = std::sqrt(this->Area);
     for (double size = this->Result.size; size < largest; size *= std::sqrt(2.0))
     {
-      QuantisationProblem problem = this->ProblemFor(size);
-      problem.sums.clear(); // they hold once the blocks are refined
-      const EdgeCounts coarse = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
-      if (coarse.counts == last)
-      {
-        continue;
-      }
-      last = coarse.counts;
-      const Chords chords(this->Result.tMesh, coarse.counts);
-      if (chords.Refine(this->ProblemFor(size)).empty())
-      {
-        continue; // prescribed numbers do not fit these blocks
-      }
-      QuadResult result;
-      result.tMesh = this->Result.tMesh;
-      SetCounts(this->RefineCounts(coarse, chords), result);
-      result.blocks = FindBlocks(
-        BuildQuads(this->Map, this->Curves, result.tMesh, result.counts.counts, result.size));
-      results.push_back(std::move(result));
+      solutions.push_back({ size, {} });
     }
+    ForParts(solutions.size(),
+      [&](std::size_t i)
+      {
+        QuantisationProblem problem = this->ProblemFor(solutions[i].size);
+        problem.sums.clear(); // they hold once the blocks are refined
+        solutions[i].counts = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
+      });
+    solutions.erase(
+      std::unique(solutions.begin(), solutions.end(),
+        [](const Solution& a, const Solution& b) { return a.counts.counts == b.counts.counts; }),
+      solutions.end());
+    std::vector<QuadResult> results;
+    AcceptFirst(
+      solutions.size(), CandidateBatch(this->Result.mesh.quads.size()),
+      [&](std::size_t i) { return this->Refined(solutions[i].size, solutions[i].counts); },
+      [&](std::size_t, std::optional<QuadResult> result)
+      {
+        if (result)
+        {
+          results.push_back(std::move(*result));
+        }
+        return false;
+      });
     return results;
+  }
+
+  /// Returns the result, with counts and blocks, of a coarse solution; nothing if prescribed numbers do
+  /// not fit its blocks.
+  std::optional<QuadResult> Refined(double size, const EdgeCounts& coarse) const
+  {
+    const Chords chords(this->Result.tMesh, coarse.counts);
+    if (chords.Refine(this->ProblemFor(size)).empty())
+    {
+      return std::nullopt;
+    }
+    QuadResult result;
+    result.tMesh = this->Result.tMesh;
+    SetCounts(this->RefineCounts(coarse, chords), result);
+    result.blocks = FindBlocks(
+      BuildQuads(this->Map, this->Curves, result.tMesh, result.counts.counts, result.size));
+    return result;
   }
 
   /// Returns counts of the target size that keep the blocks of a coarse solution.

@@ -2,6 +2,8 @@
 
 #include "Index.h"
 #include "NodePairs.h"
+#include "Parts.h"
+#include "PointCorners.h"
 #include "QuadQuality.h"
 
 #include <algorithm>
@@ -26,22 +28,44 @@ std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
       ringOf[Index(first)] = ringOf[Index(second)] = 0;
     }
   }
+  std::vector<char> isInverted(mesh.quads.size());
+  ForRanges(static_cast<std::ptrdiff_t>(mesh.quads.size()),
+    [&](int begin, int end)
+    {
+      for (std::size_t q = Index(begin); q < Index(end); ++q)
+      {
+        isInverted[q] = ScaledJacobian(mesh, q) > 0.0 ? 0 : 1;
+      }
+    });
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
-    for (std::size_t c = 0; c < 4 && !(ScaledJacobian(mesh, q) > 0.0); ++c)
+    for (std::size_t c = 0; c < 4 && isInverted[q] != 0; ++c)
     {
       ringOf[Index(mesh.quads[q][c])] = 0;
     }
   }
-  for (int ring = 1; ring < rings; ++ring)
+  std::vector<int> reached;
+  for (std::size_t p = 0; p < ringOf.size(); ++p)
   {
-    for (const std::array<int, 4>& quad : mesh.quads)
+    if (ringOf[p] == 0)
     {
-      const bool reached =
-        std::any_of(quad.begin(), quad.end(), [&](int p) { return ringOf[Index(p)] == ring - 1; });
-      for (std::size_t c = 0; reached && c < 4; ++c)
+      reached.push_back(static_cast<int>(p));
+    }
+  }
+  const PointCorners corners(mesh);
+  for (std::size_t next = 0; next < reached.size(); ++next)
+  {
+    const int p = reached[next];
+    const int ring = ringOf[Index(p)] + 1;
+    for (int i = corners.Begin(p); i < corners.Begin(p + 1) && ring < rings; ++i)
+    {
+      for (const int other : mesh.quads[Index(corners.Get(i) / 4)])
       {
-        ringOf[Index(quad[c])] = std::min(ringOf[Index(quad[c])], ring);
+        if (ring < ringOf[Index(other)])
+        {
+          ringOf[Index(other)] = ring;
+          reached.push_back(other);
+        }
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "QuadQuality.h"
 
 #include "Index.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,30 +145,42 @@ double AttainableJacobian(const QuadMesh& mesh)
 QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
 {
   QuadQuality quality;
-  std::vector<double> eta;
-  std::vector<double> sizes;
-  double worst = 2.0;
-  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  const std::size_t count = mesh.quads.size();
+  std::vector<double> eta(count);
+  std::vector<double> sizes(count);
+  std::vector<double> minimumAngles(count);
+  quality.scaledJacobian.resize(count);
+  quality.sizeRatio.resize(count);
+  ForRanges(static_cast<std::ptrdiff_t>(count),
+    [&](int begin, int end)
+    {
+      for (std::size_t q = Index(begin); q < Index(end); ++q)
+      {
+        quality.scaledJacobian[q] = ScaledJacobian(mesh, q);
+        const QuadAngles angles = AnglesOf(mesh, q);
+        eta[q] = angles.eta;
+        minimumAngles[q] = angles.minimum;
+        sizes[q] = std::sqrt(std::max(0.0, Area(mesh, q)));
+        double scale = 0.0;
+        for (const int point : mesh.quads[q])
+        {
+          scale += 0.25 * mesh.points[Index(point)].scale;
+        }
+        quality.sizeRatio[q] = sizes[q] / (size * scale);
+      }
+    });
+  quality.inverted = static_cast<int>(std::count_if(quality.scaledJacobian.begin(),
+    quality.scaledJacobian.end(), [](double jacobian) { return !(jacobian > 0.0); }));
+  if (count > 0)
   {
-    const double jacobian = ScaledJacobian(mesh, q);
-    quality.scaledJacobian.push_back(jacobian);
-    const QuadAngles angles = AnglesOf(mesh, q);
-    eta.push_back(angles.eta);
-    quality.minimumAngle = q == 0 ? angles.minimum : std::min(quality.minimumAngle, angles.minimum);
-    sizes.push_back(std::sqrt(std::max(0.0, Area(mesh, q))));
-    double scale = 0.0;
-    Point centre = Point::Zero();
-    for (const int point : mesh.quads[q])
+    quality.minimumAngle = *std::min_element(minimumAngles.begin(), minimumAngles.end());
+    const auto worst =
+      std::min_element(quality.scaledJacobian.begin(), quality.scaledJacobian.end());
+    quality.where = Point::Zero();
+    for (const int point :
+      mesh.quads[static_cast<std::size_t>(worst - quality.scaledJacobian.begin())])
     {
-      scale += 0.25 * mesh.points[Index(point)].scale;
-      centre += 0.25 * mesh.points[Index(point)].place;
-    }
-    quality.sizeRatio.push_back(sizes.back() / (size * scale));
-    quality.inverted += jacobian > 0.0 ? 0 : 1;
-    if (jacobian < worst)
-    {
-      worst = jacobian;
-      quality.where = centre;
+      quality.where += 0.25 * mesh.points[Index(point)].place;
     }
   }
   quality.jacobian = RangeOf(quality.scaledJacobian);

@@ -1,7 +1,9 @@
 #include "QuadSmoothing.h"
 
 #include "BoundaryOrder.h"
+#include "Index.h"
 #include "NodePairs.h"
+#include "Parts.h"
 #include "QuadDescent.h"
 #include "QuadPart.h"
 #include "QuadQuality.h"
@@ -235,12 +237,25 @@ struct Rank
 
 Rank RankOf(const QuadMesh& mesh)
 {
+  const auto quads = static_cast<std::ptrdiff_t>(mesh.quads.size());
+  std::vector<Rank> ranks(PartCount(quads));
+  ForParts(ranks.size(),
+    [&](std::size_t part)
+    {
+      Rank& rank = ranks[part];
+      const auto [begin, end] = PartRange(quads, part, ranks.size());
+      for (std::size_t q = Index(begin); q < Index(end); ++q)
+      {
+        const double jacobian = ScaledJacobian(mesh, q);
+        rank.inverted += jacobian <= 0.0 ? 1 : 0;
+        rank.minimum = std::min(rank.minimum, jacobian);
+      }
+    });
   Rank rank;
-  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  for (const Rank& part : ranks)
   {
-    const double jacobian = ScaledJacobian(mesh, q);
-    rank.inverted += jacobian <= 0.0 ? 1 : 0;
-    rank.minimum = std::min(rank.minimum, jacobian);
+    rank.inverted += part.inverted;
+    rank.minimum = std::min(rank.minimum, part.minimum);
   }
   return rank;
 }

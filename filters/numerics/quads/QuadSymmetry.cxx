@@ -3,10 +3,13 @@
 #include "BoundarySymmetry.h"
 #include "Index.h"
 #include "NodePairs.h"
+#include "Parts.h"
+#include "PointCorners.h"
 #include "PointGrid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace crossfield
@@ -18,6 +21,21 @@ constexpr double Tolerance = 1e-9;
 
 /// The image of every point.
 using Permutation = std::vector<int>;
+
+/// Returns whether no two points have the same image.
+bool IsBijection(const Permutation& images)
+{
+  std::vector<bool> taken(images.size(), false);
+  for (const int image : images)
+  {
+    if (taken[Index(image)])
+    {
+      return false;
+    }
+    taken[Index(image)] = true;
+  }
+  return true;
+}
 
 class Symmetriser
 {
@@ -50,46 +68,49 @@ public:
     {
       this->Grid.emplace(this->Mesh);
     }
-    double farthest = 0.0;
+    const auto count = static_cast<std::ptrdiff_t>(this->Mesh.points.size());
     Permutation images(this->Mesh.points.size(), -1);
-    std::vector<bool> taken(images.size(), false);
-    for (std::size_t p = 0; p < images.size(); ++p)
-    {
-      const QuadPoint& point = this->Mesh.points[p];
-      const Point place = symmetry(point.place);
-      const int image = this->Grid->Find(place, static_cast<int>(p));
-      if (image < 0 || taken[Index(image)] ||
-        !this->Fits(point, this->Mesh.points[Index(image)], place))
+    std::vector<double> farthest(PartCount(count), 0.0);
+    ForParts(farthest.size(),
+      [&](std::size_t part)
       {
-        return {};
-      }
-      farthest = std::max(farthest, this->Grid->EdgesBetween(place, image));
-      if (farthest > worst)
-      {
-        return {};
-      }
-      taken[Index(image)] = true;
-      images[p] = image;
-    }
-    if (this->Quads.empty())
-    {
-      this->Quads = this->SortedQuads(nullptr);
-    }
-    if (this->SortedQuads(&images) != this->Quads)
+        const auto [begin, end] = PartRange(count, part, farthest.size());
+        for (int p = begin; p < end; ++p)
+        {
+          const QuadPoint& point = this->Mesh.points[Index(p)];
+          const Point place = symmetry(point.place);
+          const int image = this->Grid->Find(place, p);
+          const bool fits = image >= 0 && this->Fits(point, this->Mesh.points[Index(image)], place);
+          const double distance =
+            fits ? this->Grid->EdgesBetween(place, image) : std::numeric_limits<double>::infinity();
+          farthest[part] = std::max(farthest[part], distance);
+          if (farthest[part] > worst)
+          {
+            return;
+          }
+          images[Index(p)] = image;
+        }
+      });
+    const double distance = *std::max_element(farthest.begin(), farthest.end());
+    if (distance > worst || !IsBijection(images) || !this->MapsQuads(images))
     {
       return {};
     }
-    worst = farthest;
+    worst = distance;
     return images;
   }
 
   /// Adds the images of all points under a symmetry, mapped back by its inverse, to `sums`.
   void Add(const Isometry& inverse, const Permutation& images, std::vector<Point>& sums) const
   {
-    for (std::size_t p = 0; p < sums.size(); ++p)
-    {
-      sums[p] += inverse(this->Mesh.points[Index(images[p])].place);
-    }
+    ForRanges(static_cast<std::ptrdiff_t>(sums.size()),
+      [&](int begin, int end)
+      {
+        for (std::size_t p = Index(begin); p < Index(end); ++p)
+        {
+          sums[p] += inverse(this->Mesh.points[Index(images[p])].place);
+        }
+      });
   }
 
   /// Moves all points that are not fixed to the mean sums / count.
@@ -138,19 +159,46 @@ private:
       (!this->IsFixed(point) || (image.place - place).norm() <= this->Reach);
   }
 
-  std::vector<std::array<int, 4>> SortedQuads(const Permutation* images) const
+  /// Returns whether the images of the points of every quad are those of a quad.
+  bool MapsQuads(const Permutation& images)
   {
-    std::vector<std::array<int, 4>> quads = this->Mesh.quads;
-    for (std::array<int, 4>& quad : quads)
+    if (!this->Corners)
     {
-      for (int& point : quad)
-      {
-        point = images == nullptr ? point : (*images)[Index(point)];
-      }
-      std::sort(quad.begin(), quad.end());
+      this->Corners.emplace(this->Mesh);
     }
-    std::sort(quads.begin(), quads.end());
-    return quads;
+    const auto sorted = [](std::array<int, 4> points)
+    {
+      std::sort(points.begin(), points.end());
+      return points;
+    };
+    const auto isQuad = [&](const std::array<int, 4>& points)
+    {
+      for (int i = this->Corners->Begin(points[0]); i < this->Corners->Begin(points[0] + 1); ++i)
+      {
+        if (sorted(this->Mesh.quads[Index(this->Corners->Get(i) / 4)]) == points)
+        {
+          return true;
+        }
+      }
+      return false;
+    };
+    return SumOfRanges(static_cast<std::ptrdiff_t>(this->Mesh.quads.size()),
+             [&](int begin, int end)
+             {
+               for (std::size_t q = Index(begin); q < Index(end); ++q)
+               {
+                 std::array<int, 4> points = this->Mesh.quads[q];
+                 for (int& point : points)
+                 {
+                   point = images[Index(point)];
+                 }
+                 if (!isQuad(sorted(points)))
+                 {
+                   return 1.0;
+                 }
+               }
+               return 0.0;
+             }) == 0.0;
   }
 
   QuadMesh& Mesh;
@@ -158,8 +206,8 @@ private:
   const double Reach;
   const bool Released;
   std::vector<std::size_t> Fixed;
-  std::optional<PointGrid> Grid;         ///< Made on demand: few symmetries need it.
-  std::vector<std::array<int, 4>> Quads; ///< Sorted quads, made on demand.
+  std::optional<PointGrid> Grid;       ///< Made on demand: few symmetries need it.
+  std::optional<PointCorners> Corners; ///< Made on demand.
 };
 
 bool IsIdentity(const Permutation& images)

@@ -1,5 +1,6 @@
 #include "CleanBlocks.h"
 
+#include "Candidates.h"
 #include "Error.h"
 #include "Index.h"
 #include "SizeSearch.h"
@@ -7,12 +8,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
+/// Ratios of coarse quads. Each one merges more arcs than the last. The first one merges only arcs that
+/// have no blocks between them already, which makes the quads there better.
+constexpr std::array<double, 8> Coarseness = { 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0 };
+
 /// Returns the maximum distance between corresponding singularities.
 double LargestMove(const Configuration& from, const Configuration& to)
 {
@@ -65,6 +73,19 @@ struct ClosingStart
   std::vector<int> tried;
 };
 
+/// An attempt to close a layout, and what came of it.
+struct Attempt
+{
+  bool isFromFirst = false; ///< From the layout of the start, not from the best one.
+  double coarseness = 0.0;
+  std::vector<int> arcs; ///< The arcs that should vanish.
+  int maximumMaps = 0;   ///< The limit with which it was made.
+  bool isEvaluated = false;
+  ClosingResult closed;
+  std::optional<QuadResult> quads; ///< Absent if the layout has no quads or is that of the start.
+  std::exception_ptr failure;
+};
+
 /// The search for a mesh with fewer blocks.
 class CleanSearch
 {
@@ -84,15 +105,16 @@ public:
     this->Closing.size = start.quads.size;
   }
 
-  /// Closes for a ratio of coarse quads, from the best layout and, if that fails, from the start.
-  /// Returns false if what was tried failed.
-  bool Try(double coarseness, const Progress& progress)
+  /// Closes for the ratio of coarse quads with an index, from the best layout and, if that fails, from
+  /// the start. Returns false if what was tried failed.
+  bool Try(std::size_t i, const Progress& progress)
   {
-    this->Closing.coarseness = coarseness;
+    this->Closing.coarseness = Coarseness[i];
     const bool hasTwo = this->Result.accepted;
-    const Outcome outcome = this->TryFrom(this->Best, progress.Part(0.0, 0.5));
+    const Outcome outcome = this->TryFrom(false, i, progress.Part(0.0, 0.5));
     if (outcome == Outcome::Accepted)
     {
+      this->Prepared.clear(); // they start from another layout
       this->Best.layout = this->Result.mesh.layout;
       this->Best.tried = FindArcsToClose(this->Best.layout.tMesh, this->Closing);
       return true;
@@ -101,8 +123,9 @@ public:
     {
       return outcome == Outcome::Nothing;
     }
-    if (this->TryFrom(this->First, progress.Part(0.5, 1.0)) == Outcome::Accepted)
+    if (this->TryFrom(true, i, progress.Part(0.5, 1.0)) == Outcome::Accepted)
     {
+      this->Prepared.clear();
       this->Best = { this->Result.mesh.layout, {} };
       return true;
     }
@@ -124,36 +147,141 @@ private:
     Accepted
   };
 
-  Outcome TryFrom(ClosingStart& start, const Progress& progress)
+  ClosingStart& StartOf(bool isFromFirst) { return isFromFirst ? this->First : this->Best; }
+
+  /// Returns the limit of maps of the next attempt.
+  int MapsLeft() const
   {
-    std::vector<int> arcs = FindArcsToClose(start.layout.tMesh, this->Closing);
-    this->Closing.maximumMaps =
-      std::min(ClosingOptions().maximumMaps, this->MaximumMaps - this->Result.maps);
-    if (arcs == start.tried || this->Closing.maximumMaps <= 0)
+    return std::min(ClosingOptions().maximumMaps, this->MaximumMaps - this->Result.maps);
+  }
+
+  Outcome TryFrom(bool isFromFirst, std::size_t i, const Progress& progress)
+  {
+    ClosingStart& start = this->StartOf(isFromFirst);
+    Attempt attempt = this->Prepare(isFromFirst, i);
+    if (attempt.arcs == start.tried || attempt.maximumMaps <= 0)
     {
       return Outcome::Nothing;
     }
-    start.tried = std::move(arcs);
-    ClosingResult closed = CloseLayout(this->Domain, start.layout, this->Closing, progress);
-    this->Result.maps += closed.maps;
+    if (!attempt.isEvaluated)
+    {
+      attempt = this->EvaluateBatch(std::move(attempt), i, progress);
+    }
+    start.tried = std::move(attempt.arcs);
+    if (attempt.failure)
+    {
+      std::rethrow_exception(attempt.failure);
+    }
+    this->Result.maps += attempt.closed.maps;
+    if (!attempt.quads || !IsAsGood(attempt.quads->quality, this->Start.quality) ||
+      !KeepsCount(*attempt.quads, this->Start, this->Options.quads) ||
+      !IsBetter(*attempt.quads, this->Result.mesh.quads))
+    {
+      return Outcome::Failed;
+    }
+    this->Result.accepted = true;
+    this->Result.coarseness = attempt.coarseness;
+    this->Result.mesh = { std::move(attempt.closed.layout), std::move(*attempt.quads) };
+    return Outcome::Accepted;
+  }
+
+  /// Returns an attempt with the present limit of maps: the one that was evaluated together with an
+  /// earlier attempt, if it would have the same result with this limit, or one to evaluate.
+  Attempt Prepare(bool isFromFirst, std::size_t i)
+  {
+    const auto found = std::find_if(this->Prepared.begin(), this->Prepared.end(),
+      [&](const Attempt& one)
+      { return one.isFromFirst == isFromFirst && one.coarseness == Coarseness[i]; });
+    if (found != this->Prepared.end())
+    {
+      Attempt attempt = std::move(*found);
+      this->Prepared.erase(found);
+      if (attempt.closed.maps <= this->MapsLeft())
+      {
+        attempt.maximumMaps = this->MapsLeft();
+        return attempt;
+      }
+    }
+    Attempt attempt;
+    attempt.isFromFirst = isFromFirst;
+    attempt.coarseness = Coarseness[i];
+    attempt.maximumMaps = this->MapsLeft();
+    ClosingOptions options = this->Closing;
+    options.coarseness = attempt.coarseness;
+    attempt.arcs = FindArcsToClose(this->StartOf(isFromFirst).layout.tMesh, options);
+    return attempt;
+  }
+
+  /// Evaluates an attempt, together with those that follow if it fails, which are kept. Returns it.
+  Attempt EvaluateBatch(Attempt attempt, std::size_t i, const Progress& progress)
+  {
+    const std::size_t batch = CandidateBatch(std::max(
+      this->Start.mesh.quads.size(), this->First.layout.map.topology->mesh.triangles.size()));
+    this->Prepared.clear(); // made for another number of maps that are left
+    std::vector<Attempt> attempts;
+    std::array<std::vector<int>, 2> tried = { this->Best.tried, this->First.tried };
+    const auto add = [&](Attempt one)
+    {
+      std::vector<int>& last = tried[one.isFromFirst ? 1 : 0];
+      if (one.arcs != last && one.maximumMaps > 0 && !one.isEvaluated)
+      {
+        last = one.arcs;
+        attempts.push_back(std::move(one));
+      }
+    };
+    const bool fromFirst = attempt.isFromFirst;
+    add(std::move(attempt));
+    for (std::size_t next = i; next < Coarseness.size() && attempts.size() < batch; ++next)
+    {
+      for (const bool isFromFirst : { false, true })
+      {
+        const bool isLater = next > i || (isFromFirst && !fromFirst);
+        if (isLater && (!isFromFirst || this->Result.accepted) && attempts.size() < batch)
+        {
+          add(this->Prepare(isFromFirst, next));
+        }
+      }
+    }
+    ProgressOfParts shared(progress);
+    ForParts(attempts.size(), [&](std::size_t a) { this->Evaluate(attempts[a], shared.Get()); });
+    Attempt result = std::move(attempts.front());
+    this->Prepared.insert(this->Prepared.end(), std::make_move_iterator(attempts.begin() + 1),
+      std::make_move_iterator(attempts.end()));
+    return result;
+  }
+
+  void Evaluate(Attempt& attempt, const Progress& progress)
+  {
+    attempt.isEvaluated = true;
+    ClosingOptions options = this->Closing;
+    options.coarseness = attempt.coarseness;
+    options.maximumMaps = attempt.maximumMaps;
     try
     {
-      QuadResult quads = MakeQuads(closed.layout.map, closed.layout.tMesh, this->Options.quads);
-      if (closed.maps > 0 && IsAsGood(quads.quality, this->Start.quality) &&
-        KeepsCount(quads, this->Start, this->Options.quads) &&
-        IsBetter(quads, this->Result.mesh.quads))
+      attempt.closed =
+        CloseLayout(this->Domain, this->StartOf(attempt.isFromFirst).layout, options, progress);
+    }
+    catch (...)
+    {
+      attempt.failure = std::current_exception();
+      return;
+    }
+    try
+    {
+      if (attempt.closed.maps > 0)
       {
-        this->Result.accepted = true;
-        this->Result.coarseness = this->Closing.coarseness;
-        this->Result.mesh = { std::move(closed.layout), std::move(quads) };
-        return Outcome::Accepted;
+        attempt.quads =
+          MakeQuads(attempt.closed.layout.map, attempt.closed.layout.tMesh, this->Options.quads);
       }
     }
     catch (const Error&)
     {
-      return Outcome::Failed; // the layout has no quad mesh
+      // The layout has no quad mesh.
     }
-    return Outcome::Failed;
+    catch (...)
+    {
+      attempt.failure = std::current_exception();
+    }
   }
 
   const PlanarDomain& Domain;
@@ -163,6 +291,9 @@ private:
   ClosingStart First;
   ClosingStart Best;
   ClosingOptions Closing;
+  /// Attempts that follow the present one if all fail, evaluated together with it. Fewer than the
+  /// threads.
+  std::vector<Attempt> Prepared;
   CleanBlocksResult Result;
 };
 }
@@ -176,9 +307,6 @@ bool IsCleaner(const QuadResult& candidate, const QuadResult& start)
 CleanBlocksResult CleanBlocks(const PlanarDomain& domain, MeshedLayout start,
   const CleanOptions& options, const Progress& progress)
 {
-  // Each one merges more arcs than the last. The first one merges only arcs that have no blocks
-  // between them already, which makes the quads there better.
-  constexpr std::array<double, 8> Coarseness = { 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0 };
   // After a failure with few arcs, more arcs that vanish together often succeed; after later ones
   // rarely.
   constexpr double Early = 2.0;
@@ -189,8 +317,7 @@ CleanBlocksResult CleanBlocks(const PlanarDomain& domain, MeshedLayout start,
   for (std::size_t i = 0; i < Coarseness.size() && failures < MaximumFailures; ++i)
   {
     const auto done = static_cast<double>(i);
-    const bool fails =
-      !search.Try(Coarseness[i], progress.Part(done / count, (done + 1.0) / count));
+    const bool fails = !search.Try(i, progress.Part(done / count, (done + 1.0) / count));
     failures = fails && Coarseness[i] > Early ? failures + 1 : fails ? failures : 0;
   }
   progress.Report(1.0);

@@ -1,5 +1,6 @@
 #include "QuadSteps.h"
 
+#include "Candidates.h"
 #include "CleanBlocks.h"
 #include "IndexSplit.h"
 #include "LayerSteps.h"
@@ -49,7 +50,7 @@ void RequireAngles(const PlanarDomain& domain, const Configuration& singularitie
 
 /// Returns a layout with quads whose separatrices are merged without moving singularities.
 MeshedLayout WithMergedBlocks(
-  const MeshedLayout& meshed, QuadOptions options, const Progress& progress = {})
+  const MeshedLayout& meshed, QuadOptions options, const Progress& progress)
 {
   options.coarse = true;
   MeshedLayout merged{ meshed.layout, {} };
@@ -204,7 +205,7 @@ public:
     (clean ? this->Result.blocks.clean : this->Result.blocks.none) = blocks;
     if (start)
     {
-      moved = this->Merge(WithMergedBlocks(*start, options), options, moved, meshed);
+      moved = this->Merge(*start, options, moved, meshed, progress.Part(0.9, 1.0));
     }
     this->Result.seconds.clean = clean ? this->Clock.Lap() : 0.0;
     if (!this->Request.layers.empty())
@@ -279,24 +280,40 @@ private:
   }
 
   /// Merges separatrices without moving singularities, in the layout with the fewest blocks: in that
-  /// of `clean` or, if that has more blocks, as in `merged`. Returns the largest move.
-  double Merge(
-    const MeshedLayout& merged, const QuadOptions& options, double moved, MeshedLayout& clean)
+  /// of `clean` or, if that has more blocks, in that of `start`. Returns the largest move.
+  double Merge(const MeshedLayout& start, const QuadOptions& options, double moved,
+    MeshedLayout& clean, const Progress& progress)
   {
+    // Layouts without moves are the same.
+    const bool isMoved = clean.layout.map.topology != start.layout.map.topology;
+    std::vector<MeshedLayout> results;
+    ProgressOfParts shared(progress);
+    AcceptFirst(
+      isMoved ? 2 : 1, CandidateBatch(clean.quads.mesh.quads.size()),
+      [&](std::size_t i)
+      {
+        const double done = isMoved ? 0.5 * static_cast<double>(i) : 0.0;
+        return WithMergedBlocks(
+          i == 0 ? clean : start, options, shared.Get().Part(done, isMoved ? done + 0.5 : 1.0));
+      },
+      [&](std::size_t, MeshedLayout result)
+      {
+        results.push_back(std::move(result));
+        return false;
+      });
     const auto isBetter = [](const QuadResult& a, const QuadResult& b)
     {
       return a.blocks.blocks.size() != b.blocks.blocks.size()
         ? a.blocks.blocks.size() < b.blocks.blocks.size()
         : a.quality.jacobian.min > b.quality.jacobian.min;
     };
-    MeshedLayout further = WithMergedBlocks(clean, options);
-    if (isBetter(further.quads, clean.quads))
+    if (isBetter(results[0].quads, clean.quads))
     {
-      clean.quads = std::move(further.quads);
+      clean.quads = std::move(results[0].quads);
     }
-    if (isBetter(merged.quads, clean.quads))
+    if (isMoved && isBetter(results[1].quads, clean.quads))
     {
-      clean = merged;
+      clean = std::move(results[1]);
       moved = 0.0;
       this->MapOptions.corners = this->FirstCorners;
       this->Result.singularities = this->Started = clean.layout.singularities;

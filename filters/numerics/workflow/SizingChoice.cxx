@@ -1,5 +1,6 @@
 #include "SizingChoice.h"
 
+#include "Candidates.h"
 #include "OptimizerReport.h"
 #include "SizeSearch.h"
 
@@ -66,22 +67,39 @@ std::vector<std::string> ChooseSizing(
   bool isChanged = false;
   const QuadOptions given = options;
   const TMesh tMesh = meshed.quads.tMesh;
-  for (std::size_t i = 0; i < SizeParts.size() && (i == 0 ? !best.IsGood() : best.shape > 0.0); ++i)
+  const auto optionsFor = [&](std::size_t i)
   {
     QuadOptions other = given;
     other.sizes.sizing = Sizing::Uniform;
     other.sizePart = SizeParts[i];
-    const double done = static_cast<double>(i) / SizeParts.size();
-    QuadResult uniform = MakeQuads(meshed.layout.map, tMesh, other, progress.Part(done, 1.0));
-    const Shortfall shortfall(uniform, other, bound);
-    if (shortfall.IsBelow(best))
-    {
-      best = shortfall;
-      meshed.quads = std::move(uniform);
-      options = std::move(other);
-      isChanged = true;
-    }
+    return other;
+  };
+  if (best.IsGood())
+  {
+    return {};
   }
+  const std::size_t quads = meshed.quads.mesh.quads.size();
+  ProgressOfParts shared(progress);
+  AcceptFirst(
+    SizeParts.size(), CandidateBatch(quads),
+    [&](std::size_t i)
+    {
+      const double done = static_cast<double>(i) / SizeParts.size();
+      return MakeQuads(meshed.layout.map, tMesh, optionsFor(i), shared.Get().Part(done, 1.0));
+    },
+    [&](std::size_t i, QuadResult uniform)
+    {
+      QuadOptions other = optionsFor(i);
+      const Shortfall shortfall(uniform, other, bound);
+      if (shortfall.IsBelow(best))
+      {
+        best = shortfall;
+        meshed.quads = std::move(uniform);
+        options = std::move(other);
+        isChanged = true;
+      }
+      return best.shape <= 0.0;
+    });
   if (!isChanged)
   {
     return {};
