@@ -357,11 +357,33 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
 
   // 1. Sources of R. The angles at which a logarithm sees the boundary add up to its angle.
   result.sources = this->Sources;
-  for (const BoundaryHalf& half : this->Halves)
+  constexpr std::size_t BatchSize = 4096; // limits the memory
+  for (std::size_t batch = 0; batch < this->Halves.size(); batch += BatchSize)
   {
-    for (const LogSource& log : result.logs)
+    const std::size_t count = std::min(BatchSize, this->Halves.size() - batch);
+    Eigen::MatrixXd turns(static_cast<Eigen::Index>(inside), static_cast<Eigen::Index>(count));
+    ForRanges(
+      turns.cols(),
+      [&](int begin, int end)
+      {
+        for (Eigen::Index h = begin; h < end; ++h)
+        {
+          const BoundaryHalf& half = this->Halves[batch + static_cast<std::size_t>(h)];
+          for (std::size_t i = 0; i < inside; ++i)
+          {
+            const LogSource& log = result.logs[i];
+            turns(static_cast<Eigen::Index>(i), h) = log.strength * log.Turn(half.from, half.to);
+          }
+        }
+      },
+      1 + MinimumPartSize / static_cast<std::ptrdiff_t>(inside + 1));
+    for (Eigen::Index h = 0; h < turns.cols(); ++h)
     {
-      result.sources[half.vertex] -= log.strength * log.Turn(half.from, half.to);
+      double& source = result.sources[this->Halves[batch + static_cast<std::size_t>(h)].vertex];
+      for (Eigen::Index i = 0; i < turns.rows(); ++i)
+      {
+        source -= turns(i, h);
+      }
     }
   }
   result.logs.insert(result.logs.end(), this->BoundaryLogs.begin(), this->BoundaryLogs.end());
