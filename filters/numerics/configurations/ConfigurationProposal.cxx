@@ -5,12 +5,17 @@
 #include "ConfigurationSymmetry.h"
 #include "CornerEnergy.h"
 #include "DomainQueries.h"
+#include "Parts.h"
+#include "PartsTrace.h"
 #include "PoincareHopf.h"
 #include "SingularityOptimizer.h"
+#include "ThreadLimit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -18,62 +23,191 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the result of the optimiser. Throws Aborted if it was aborted.
-OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration& proposal,
-  int steps, double maximumStart, const Progress& progress)
+/// Improves proposals by a few steps of the optimiser and by the symmetry of the domain, unless
+/// given singularities must keep their positions, and computes their energies.
+class ProposalEvaluation
 {
-  OptimizerOptions options;
-  options.maximumStart = maximumStart;
-  options.corners = proposal.corners;
-  options.maximumIterations = steps;
-  options.keepAll = true; // the configuration is ranked as proposed
-  OptimizerResult result = OptimizeSingularities(domain, proposal.singularities, options, progress);
-  if (result.aborted)
+public:
+  ProposalEvaluation(const PlanarDomain& domain, const ProposalOptions& options)
+    : Domain(domain)
+    , Options(options)
+    , Symmetries(FindSymmetries(domain))
+    , Radius(ResolveCoreRadius(options.coreRadius, domain))
+    , IsFree(options.given.empty() && !options.cancelFlatCorners)
   {
-    throw Aborted();
   }
-  return result;
+
+  double GetCoreRadius() const { return this->Radius; }
+
+  /// Meshes the domain for a proposal.
+  std::unique_ptr<PreparedOptimization> Prepare(
+    const ProposedConfiguration& proposal, const Progress& progress) const
+  {
+    constexpr int Steps = 8; // usually most of the decrease
+    return this->Prepare(proposal, this->IsFree ? Steps : 0, progress);
+  }
+
+  /// Returns the energy of a start above which it is not improved: if it would have to lower its
+  /// energy by more than one core energy, 2π, for each of at most 48 singularities to reach the
+  /// lowest energy of the others. Many singularities are slow to improve, and another start has
+  /// found their places.
+  static double MaximumStart(const ProposedConfiguration& proposal, double lowest)
+  {
+    constexpr std::size_t ManySingularities = 48;
+    return lowest +
+      2.0 * Pi * static_cast<double>(std::min(proposal.singularities.size(), ManySingularities));
+  }
+
+  /// Evaluates a proposal. Returns the highest energy of the starts of its runs: with a bound that
+  /// is not below it, the result would be the same. Throws Aborted.
+  double Evaluate(PreparedOptimization& prepared, double maximumStart, const Progress& progress,
+    ProposedConfiguration& proposal) const
+  {
+    double highestStart = prepared.StartEnergy();
+    OptimizerResult trial = Run(prepared, maximumStart, progress.Part(0.0, 0.8));
+    proposal.singularities = trial.configuration;
+    if (this->IsFree)
+    {
+      // The position of a singularity in the field is known to an edge of its mesh, usually a
+      // seventieth of the diagonal.
+      const ConfigurationSymmetry symmetry =
+        MatchSymmetry(proposal.singularities, this->Symmetries, 0.02 * this->Domain.Diagonal());
+      if (!symmetry.IsTrivial())
+      {
+        symmetry.Project(proposal.singularities);
+        const auto symmetric = this->Prepare(proposal, 0, progress.Part(0.8, 1.0));
+        highestStart = std::max(highestStart, symmetric->StartEnergy());
+        trial = Run(*symmetric, maximumStart, progress.Part(0.8, 1.0));
+      }
+    }
+    proposal.renormalized = trial.energyAfter;
+    proposal.logarithmCoefficient = LogarithmCoefficient(
+      this->Domain, proposal.singularities, proposal.corners, this->Options.cornerAngle);
+    proposal.energy = proposal.renormalized -
+      proposal.logarithmCoefficient * std::log(this->Radius) +
+      CoreOverlapEnergy(proposal.singularities, this->Radius);
+    proposal.sizeSpread = trial.sizeSpread;
+    for (const double defect : trial.holonomyDefect)
+    {
+      proposal.holonomyDefect = std::max(proposal.holonomyDefect, std::abs(defect));
+    }
+    return highestStart;
+  }
+
+private:
+  std::unique_ptr<PreparedOptimization> Prepare(
+    const ProposedConfiguration& proposal, int steps, const Progress& progress) const
+  {
+    OptimizerOptions options;
+    options.corners = proposal.corners;
+    options.maximumIterations = steps;
+    options.keepAll = true; // the configuration is ranked as proposed
+    return std::make_unique<PreparedOptimization>(
+      this->Domain, proposal.singularities, options, progress);
+  }
+
+  static OptimizerResult Run(
+    PreparedOptimization& prepared, double maximumStart, const Progress& progress)
+  {
+    OptimizerResult result = prepared.Run(maximumStart, progress);
+    if (result.aborted)
+    {
+      throw Aborted();
+    }
+    return result;
+  }
+
+  const PlanarDomain& Domain;
+  const ProposalOptions& Options;
+  SymmetryGroup Symmetries;
+  double Radius;
+  bool IsFree;
+};
+
+/// Returns the number of proposals to evaluate at the same time.
+std::size_t ProposalsAtOnce()
+{
+  // A trace records the parts for machines with up to 16 processors.
+  constexpr int ProcessorsOfTrace = 16;
+  return static_cast<std::size_t>(
+    PartsTrace::Active() != nullptr ? ProcessorsOfTrace : ThreadLimit());
 }
 
-/// Improves a proposal by a few steps of the optimiser and by the symmetry of the domain, unless
-/// given singularities must keep their positions, and computes its energies. `lowest`: the lowest
-/// energy of the others. A start that would have to lower its energy by more than one core energy,
-/// 2π, for each of at most 48 singularities to reach it is not improved.
-void Evaluate(const PlanarDomain& domain, const SymmetryGroup& symmetries,
-  const ProposalOptions& options, double coreRadius, double lowest, const Progress& progress,
-  ProposedConfiguration& proposal)
+/// Evaluates proposals in their order; the lowest energy so far bounds the starts of the next ones.
+/// With several threads, as many proposals are prepared at the same time, and those that seem to be
+/// below the bound are evaluated ahead. If the bound turns out to be lower than the start of one,
+/// it is evaluated again, so the result is the same with any number of threads.
+void EvaluateAll(const ProposalEvaluation& evaluation, const Progress& progress,
+  std::vector<ProposedConfiguration>& proposals)
 {
-  // Many singularities are slow to improve, and another start has found their places.
-  constexpr std::size_t ManySingularities = 48;
-  const double maximumStart = lowest +
-    2.0 * Pi * static_cast<double>(std::min(proposal.singularities.size(), ManySingularities));
+  const std::size_t width = ProposalsAtOnce();
+  double lowest = std::numeric_limits<double>::infinity();
+  const auto partOf = [&](std::size_t i)
+  {
+    const auto count = static_cast<double>(proposals.size());
+    return progress.Part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+  };
+  for (std::size_t begin = 0; begin < proposals.size(); begin += width)
+  {
+    const std::size_t count = std::min(width, proposals.size() - begin);
+    std::vector<std::unique_ptr<PreparedOptimization>> prepared(count);
+    ForParts(count,
+      [&](std::size_t i)
+      {
+        prepared[i] = evaluation.Prepare(
+          proposals[begin + i], count == 1 ? partOf(begin).Part(0.0, 0.8) : Progress());
+      });
 
-  const bool isFree = options.given.empty() && !options.cancelFlatCorners;
-  constexpr int Steps = 8; // usually most of the decrease
-  OptimizerResult trial =
-    Optimize(domain, proposal, isFree ? Steps : 0, maximumStart, progress.Part(0.0, 0.8));
-  proposal.singularities = trial.configuration;
-  if (isFree)
-  {
-    // The position of a singularity in the field is known to an edge of its mesh, usually a
-    // seventieth of the diagonal.
-    const ConfigurationSymmetry symmetry =
-      MatchSymmetry(proposal.singularities, symmetries, 0.02 * domain.Diagonal());
-    if (!symmetry.IsTrivial())
+    // Those that are below the bound if the others do not improve.
+    struct Ahead
     {
-      symmetry.Project(proposal.singularities);
-      trial = Optimize(domain, proposal, 0, maximumStart, progress.Part(0.8, 1.0));
+      ProposedConfiguration proposal;
+      double highestStart = 0.0;
+    };
+    std::vector<std::optional<Ahead>> ahead(count);
+    std::vector<std::size_t> members;
+    double expected = lowest;
+    for (std::size_t i = 0; i < count && count > 1; ++i)
+    {
+      const ProposedConfiguration& proposal = proposals[begin + i];
+      const double start = prepared[i]->StartEnergy();
+      if (start <= ProposalEvaluation::MaximumStart(proposal, expected))
+      {
+        members.push_back(i);
+      }
+      expected = proposal.variation ? expected : std::min(expected, start);
     }
-  }
-  proposal.renormalized = trial.energyAfter;
-  proposal.logarithmCoefficient =
-    LogarithmCoefficient(domain, proposal.singularities, proposal.corners, options.cornerAngle);
-  proposal.energy = proposal.renormalized - proposal.logarithmCoefficient * std::log(coreRadius) +
-    CoreOverlapEnergy(proposal.singularities, coreRadius);
-  proposal.sizeSpread = trial.sizeSpread;
-  for (const double defect : trial.holonomyDefect)
-  {
-    proposal.holonomyDefect = std::max(proposal.holonomyDefect, std::abs(defect));
+    ForParts(members.size(),
+      [&](std::size_t part)
+      {
+        const std::size_t i = members[part];
+        Ahead result{ proposals[begin + i] };
+        result.highestStart = evaluation.Evaluate(*prepared[i],
+          ProposalEvaluation::MaximumStart(result.proposal, lowest), {}, result.proposal);
+        ahead[i] = std::move(result);
+      });
+
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      ProposedConfiguration& proposal = proposals[begin + i];
+      const Progress part = partOf(begin + i);
+      const double bound = ProposalEvaluation::MaximumStart(proposal, lowest);
+      if (ahead[i] && ahead[i]->highestStart <= bound)
+      {
+        proposal = std::move(ahead[i]->proposal);
+      }
+      else
+      {
+        if (ahead[i])
+        {
+          prepared[i] = evaluation.Prepare(proposal, part.Part(0.0, 0.8));
+        }
+        evaluation.Evaluate(*prepared[i], bound, part, proposal);
+      }
+      prepared[i].reset();
+      lowest = proposal.variation ? lowest : std::min(lowest, proposal.energy);
+      part.Report(1.0);
+    }
   }
 }
 
@@ -148,17 +282,9 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   std::vector<ProposedConfiguration> proposals =
     FindStarts(domain, options, progress.Part(0.0, 0.5));
   const double diagonal = domain.Diagonal();
-  const double coreRadius = ResolveCoreRadius(options.coreRadius, domain);
-  const SymmetryGroup symmetries = FindSymmetries(domain);
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < proposals.size(); ++i)
-  {
-    const auto part = [&](std::size_t number)
-    { return 0.5 + 0.5 * static_cast<double>(number) / static_cast<double>(proposals.size()); };
-    Evaluate(domain, symmetries, options, coreRadius, lowest, progress.Part(part(i), part(i + 1)),
-      proposals[i]);
-    lowest = proposals[i].variation ? lowest : std::min(lowest, proposals[i].energy);
-  }
+  const ProposalEvaluation evaluation(domain, options);
+  const double coreRadius = evaluation.GetCoreRadius();
+  EvaluateAll(evaluation, progress.Part(0.5, 1.0), proposals);
 
   // Radians; a defect that can vanish is below this after a few steps.
   constexpr double DefectTolerance = 0.05;

@@ -53,8 +53,7 @@ SegmentSearch::SegmentSearch(const PlanarDomain& domain)
 
 SegmentSearch::Nearest SegmentSearch::Find(const Point& point) const
 {
-  const auto toBox = [&point](const Group& group)
-  { return (point - group.upper).cwiseMax(group.lower - point).cwiseMax(0.0).squaredNorm(); };
+  const auto toBox = [&point](const Group& group) { return SquaredDistance(point, group); };
   Nearest nearest{ this->Segments.size(), std::numeric_limits<double>::infinity() };
   const auto search = [&](const Group& group)
   {

@@ -29,6 +29,25 @@ public:
   /// Returns the nearest segment. There must be one.
   Nearest Find(const Point& point) const;
 
+  /// Calls function(segment) for all segments that are no farther from a point than a distance, in
+  /// their order, and for some that are.
+  template <typename Function>
+  void ForNear(const Point& point, double distance, const Function& function) const
+  {
+    // Rounding must not exclude a segment.
+    constexpr double Margin = 1.0 - 1e-9;
+    for (const Group& group : this->Groups)
+    {
+      if (Margin * SquaredDistance(point, group) <= distance * distance)
+      {
+        for (std::size_t i = group.begin; i < group.end; ++i)
+        {
+          function(i);
+        }
+      }
+    }
+  }
+
   /// Returns the distance of a point to the segments, negative where they do not wind around it:
   /// SignedDistance of a domain whose sides they are.
   double SignedDistance(const Point& point) const;
@@ -41,6 +60,12 @@ private:
     Point lower;
     Point upper;
   };
+
+  /// Returns the squared distance of a point to the box around a group.
+  static double SquaredDistance(const Point& point, const Group& group)
+  {
+    return (point - group.upper).cwiseMax(group.lower - point).cwiseMax(0.0).squaredNorm();
+  }
 
   std::vector<Segment> Segments;
   std::vector<Group> Groups;

@@ -13,6 +13,8 @@ CandidateEnergies::CandidateEnergies(const OptimizerStage& stage, const Optimize
   : Stage(stage)
   , Start(stage.objective->At(current.positions))
   , Interior(Start)
+  , Diagonal(stage.potential->GetDomain().Diagonal())
+  , Radius(CoreRadius(stage.potential->GetDomain()))
   , Energies(stage.objective->Energy(), Interior)
 {
   stage.objective->Budget().Spend(stage.objective->EvaluationCost());
@@ -71,7 +73,7 @@ std::optional<Configuration> CandidateEnergies::InteriorAfter(const Changes& cha
       }
       continue;
     }
-    const double minimum = 1e-6 * domain.Diagonal(); // as in PointPotential::RequireSolvable
+    const double minimum = 1e-6 * this->Diagonal; // as in PointPotential::RequireSolvable
     if (!(SignedDistance(change.place.position, domain) > minimum) ||
       RowAt(interior, change.place.position, minimum) < interior.size())
     {
@@ -96,9 +98,8 @@ double CandidateEnergies::After(const Changes& changes)
   }
   this->Prepare(places);
   const StrengthChanges::Value value = this->Energies.Evaluate(changes);
-  const double radius = CoreRadius(this->Stage.potential->GetDomain());
-  return value.energy - value.logarithmCoefficient * std::log(radius) +
-    CoreOverlapEnergy(*interior, radius);
+  return value.energy - value.logarithmCoefficient * std::log(this->Radius) +
+    CoreOverlapEnergy(*interior, this->Radius);
 }
 
 bool CandidateEnergies::CanAlignAfter(const Changes& changes)

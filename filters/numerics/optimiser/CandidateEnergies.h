@@ -50,6 +50,8 @@ private:
   const OptimizerStage& Stage;
   Configuration Start; ///< Singularities inside at the start, and now.
   Configuration Interior;
+  double Diagonal; ///< Of the domain.
+  double Radius;   ///< Core radius of the energies.
   StrengthChanges Energies;
 };
 }

@@ -60,6 +60,7 @@ void AddPair(
 ClearanceBarrier::ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration,
   double distance, const ClearanceFactors& factors)
   : Distance(distance)
+  , Boundary(domain)
 {
   for (const Singularity& singularity : configuration)
   {
@@ -75,6 +76,7 @@ ClearanceBarrier::ClearanceBarrier(const PlanarDomain& domain, const Configurati
       const double factor = FactorAt(factors, l, i);
       const double weight = std::min(1.0, (to - loop[i]).norm() / (factor * distance));
       this->Sides.push_back({ loop[i], to, weight, factor });
+      this->LargestFactor = std::max(this->LargestFactor, factor);
     }
   }
 }
@@ -90,8 +92,9 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& positi
     const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
     const Point position = positions.segment<2>(row);
     const double quarters = this->Quarters[i];
-    for (const Side& side : this->Sides)
+    const auto add = [&](std::size_t s)
     {
+      const Side& side = this->Sides[s];
       const Point offset = OffsetFromSegment(position, side.from, side.to);
       const double reach = 2.0 * side.factor * this->Distance;
       if (offset.squaredNorm() < reach * reach)
@@ -111,7 +114,8 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& positi
             factor * barrier.first * DistanceHessian(normal, d);
         }
       }
-    }
+    };
+    this->Boundary.ForNear(position, 2.0 * this->LargestFactor * this->Distance, add);
     for (std::size_t j = 0; j < i; ++j)
     {
       const Eigen::Index column = 2 * static_cast<Eigen::Index>(j);

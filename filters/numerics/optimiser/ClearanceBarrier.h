@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PlanarDomain.h"
+#include "SegmentSearch.h"
 #include "Singularity.h"
 
 #include <Eigen/Core>
@@ -63,5 +64,7 @@ private:
   std::vector<Side> Sides;
   std::vector<double> Quarters; ///< Quarter index k of each singularity, 1 instead of 0.
   double Distance;
+  SegmentSearch Boundary; ///< Of the sides.
+  double LargestFactor = 0.0;
 };
 }

@@ -75,9 +75,9 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
   progress.Report(0.2);
 }
 
-bool OptimizerRun::IsAbove(double energy) const
+double OptimizerRun::RankingEnergy() const
 {
-  return this->Stage.CoreEnergy(this->Current, RankingRadius(this->Domain)) > energy;
+  return this->Stage.CoreEnergy(this->Current, RankingRadius(this->Domain));
 }
 
 void OptimizerRun::EnforceClearances(double requested, Configuration& singularities)
@@ -225,7 +225,7 @@ void OptimizerRun::WriteResult(OptimizerEnd end)
   OptimizerResult& result = this->Result;
   result.configuration = last.singularities;
   result.energyAfter = this->Current.fullEnergy;
-  result.rankingEnergy = this->Stage.CoreEnergy(this->Current, RankingRadius(this->Domain));
+  result.rankingEnergy = this->RankingEnergy();
   if (result.sizeSpreads)
   {
     result.sizeSpreads->after = this->Current.sizeSpread;

@@ -20,8 +20,8 @@ public:
     const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result);
 
   void Start(const Configuration& start, const Progress& progress);
-  /// Returns whether the energy at the RankingRadius is higher than a bound.
-  bool IsAbove(double energy) const;
+  /// Returns the present energy at the RankingRadius.
+  double RankingEnergy() const;
   /// Minimises the objective, meshing again and changing the configuration where necessary.
   OptimizerEnd Minimise(const Progress& progress);
   /// Continues the optimisation from the minimum of W to the most uniform sizes, with the present

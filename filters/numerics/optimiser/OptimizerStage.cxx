@@ -4,6 +4,7 @@
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 #include "Error.h"
+#include "Parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,8 +106,24 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
   Alignment alignment =
     AlignWithBoundary(*topology, stage.placed.corners, TotalQuarters(stage.placed.interior));
   RequireConsistent(alignment.count); // before the mesh is factored
-  stage.potential = std::make_shared<const PointPotential>(
-    std::make_shared<const PotentialSolver>(topology), std::move(alignment));
+  const auto solver = std::make_shared<const PotentialSolver>(topology);
+  // What the objective needs of the mesh, and the logarithms of the boundary.
+  ForParts(3,
+    [&](std::size_t part)
+    {
+      if (part == 0)
+      {
+        stage.potential = std::make_shared<const PointPotential>(solver, std::move(alignment));
+      }
+      else if (part == 1)
+      {
+        solver->GetDirichlet();
+      }
+      else
+      {
+        solver->GetPeriodResponse();
+      }
+    });
   stage.potential->RequireSolvable(stage.placed.interior);
   stage.objective = std::make_shared<const OptimizerObjective>(
     stage.potential, refined, stage.placed.interior, options.objective);

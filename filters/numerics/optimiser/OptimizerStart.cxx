@@ -4,6 +4,7 @@
 #include "ConfigurationSymmetry.h"
 #include "DomainQueries.h"
 #include "Segment.h"
+#include "SegmentSearch.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,23 +23,50 @@ struct BoundaryOffset
   double Distance() const { return this->vector.norm() / this->factor; }
 };
 
-BoundaryOffset OffsetFromBoundary(
-  const PlanarDomain& domain, const ClearanceFactors& factors, const Point& point)
+/// The sides of a domain with the factors of the clearance.
+class FactoredSides
 {
-  BoundaryOffset nearest;
-  for (std::size_t l = 0; l < domain.loops.size(); ++l)
+public:
+  FactoredSides(const PlanarDomain& domain, const ClearanceFactors& factors)
+    : Sides(domain)
   {
-    const Loop& loop = domain.loops[l];
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t l = 0; l < domain.loops.size(); ++l)
     {
-      const BoundaryOffset offset = {
-        OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]), FactorAt(factors, l, i)
-      };
-      nearest = offset.Distance() < nearest.Distance() ? offset : nearest;
+      for (std::size_t i = 0; i < domain.loops[l].size(); ++i)
+      {
+        this->Factors.push_back(FactorAt(factors, l, i));
+      }
     }
+    this->LargestFactor = *std::max_element(this->Factors.begin(), this->Factors.end());
   }
-  return nearest;
-}
+
+  double SignedDistance(const Point& point) const { return this->Sides.SignedDistance(point); }
+
+  /// Returns the offset with the minimum distance, of the first side if there are several.
+  BoundaryOffset OffsetOf(const Point& point) const
+  {
+    const double bound = this->OffsetFrom(this->Sides.Find(point).segment, point).Distance();
+    BoundaryOffset nearest;
+    this->Sides.ForNear(point, bound * this->LargestFactor,
+      [&](std::size_t side)
+      {
+        const BoundaryOffset offset = this->OffsetFrom(side, point);
+        nearest = offset.Distance() < nearest.Distance() ? offset : nearest;
+      });
+    return nearest;
+  }
+
+private:
+  BoundaryOffset OffsetFrom(std::size_t side, const Point& point) const
+  {
+    const auto& [from, to] = this->Sides.At(side);
+    return { OffsetFromSegment(point, from, to), this->Factors[side] };
+  }
+
+  SegmentSearch Sides;
+  std::vector<double> Factors;
+  double LargestFactor = 1.0;
+};
 
 /// Pushes interior singularities away from the boundary and from each other.
 class Separation
@@ -47,22 +75,21 @@ public:
   Separation(
     const PlanarDomain& domain, const ClearanceFactors& factors, const Configuration& configuration)
     : Moved(configuration)
-    , Domain(domain)
-    , Factors(factors)
+    , Sides(domain, factors)
     , BoundaryTolerance(BoundaryReach * domain.Diagonal())
   {
     for (std::size_t i = 0; i < configuration.size(); ++i)
     {
       if (configuration[i].position.allFinite() &&
-        SignedDistance(configuration[i].position, domain) > this->BoundaryTolerance)
+        this->Sides.SignedDistance(configuration[i].position) > this->BoundaryTolerance)
       {
         this->Inside.push_back(i);
       }
     }
     for (const std::size_t i : this->Inside)
     {
-      this->MinimumDistance = std::min(this->MinimumDistance,
-        OffsetFromBoundary(domain, factors, configuration[i].position).Distance());
+      this->MinimumDistance =
+        std::min(this->MinimumDistance, this->Sides.OffsetOf(configuration[i].position).Distance());
       for (const std::size_t j : this->Inside)
       {
         const double distance = (configuration[i].position - configuration[j].position).norm();
@@ -88,8 +115,7 @@ public:
       if (!this->Sweep(clearance))
       {
         return std::all_of(this->Inside.begin(), this->Inside.end(),
-          [&](std::size_t i)
-          { return SignedDistance(this->Moved[i].position, this->Domain) > 0.0; });
+          [&](std::size_t i) { return this->Sides.SignedDistance(this->Moved[i].position) > 0.0; });
       }
     }
     return false;
@@ -107,7 +133,7 @@ private:
     for (const std::size_t i : this->Inside)
     {
       Point& position = this->Moved[i].position;
-      const BoundaryOffset offset = OffsetFromBoundary(this->Domain, this->Factors, position);
+      const BoundaryOffset offset = this->Sides.OffsetOf(position);
       if (offset.Distance() < RequiredFactor * clearance)
       {
         position += offset.factor * (TargetFactor * clearance - offset.Distance()) *
@@ -132,8 +158,7 @@ private:
   }
 
   Configuration Moved;
-  const PlanarDomain& Domain;
-  const ClearanceFactors& Factors;
+  FactoredSides Sides;
   double BoundaryTolerance;
   std::vector<std::size_t> Inside;
   double MinimumDistance = std::numeric_limits<double>::infinity();

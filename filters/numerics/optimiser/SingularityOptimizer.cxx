@@ -4,17 +4,30 @@
 
 namespace crossfield
 {
-OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configuration& start,
+PreparedOptimization::PreparedOptimization(const PlanarDomain& domain, const Configuration& start,
   const OptimizerOptions& options, const Progress& progress)
+  : Options(options)
+  , Optimizer(std::make_unique<OptimizerRun>(domain, options, Result))
 {
-  OptimizerResult result;
-  OptimizerRun run(domain, options, result);
-  run.Start(start, progress);
-  if (run.IsAbove(options.maximumStart))
+  this->Optimizer->Start(start, progress);
+}
+
+PreparedOptimization::~PreparedOptimization() = default;
+
+double PreparedOptimization::StartEnergy() const
+{
+  return this->Optimizer->RankingEnergy();
+}
+
+OptimizerResult PreparedOptimization::Run(double maximumStart, const Progress& progress)
+{
+  OptimizerRun& run = *this->Optimizer;
+  if (this->StartEnergy() > maximumStart)
   {
     run.WriteResult(OptimizerEnd::NoDescent);
-    return result;
+    return this->Result;
   }
+  const OptimizerOptions& options = this->Options;
   const bool uniform = options.sizes.sizing != Sizing::Conformal || options.pairs > 0;
   const double share = options.pairs > 0 ? 0.4 : uniform ? 0.6 : 1.0;
   OptimizerEnd end = run.Minimise(progress.Part(0.2, share));
@@ -24,6 +37,12 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
     end = run.AddPairs(options.pairs, end, progress.Part(0.6, 1.0));
   }
   run.WriteResult(end);
-  return result;
+  return this->Result;
+}
+
+OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configuration& start,
+  const OptimizerOptions& options, const Progress& progress)
+{
+  return PreparedOptimization(domain, start, options, progress).Run(options.maximumStart, progress);
 }
 }

@@ -3,8 +3,12 @@
 #include "OptimizerResult.h"
 #include "Progress.h"
 
+#include <memory>
+
 namespace crossfield
 {
+class OptimizerRun;
+
 /// Moves the interior singularities downhill on the renormalised energy W (RenormalizedEnergy.h;
 /// docs/method.md §5.5; paper, "The unifying renormalized Ginzburg-Landau energy"). With inner
 /// loops, the holonomy defects, each reduced modulo 2π, are equality constraints: the result has an
@@ -25,4 +29,27 @@ namespace crossfield
 /// singularity lies outside, or the clearance is negative.
 OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configuration& start,
   const OptimizerOptions& options = {}, const Progress& progress = {});
+
+/// OptimizeSingularities in two steps, so that the energies of several starts can be compared before
+/// any of them moves. Starts can be prepared and run in parts, each in one part at a time.
+class PreparedOptimization
+{
+public:
+  /// Meshes the domain for the start and evaluates it. Stores a reference to the domain.
+  PreparedOptimization(const PlanarDomain& domain, const Configuration& start,
+    const OptimizerOptions& options, const Progress& progress = {});
+  PreparedOptimization(const PreparedOptimization&) = delete;
+  PreparedOptimization& operator=(const PreparedOptimization&) = delete;
+  ~PreparedOptimization();
+
+  /// Returns the energy of the start at the RankingRadius.
+  double StartEnergy() const;
+  /// Optimises, once, with this bound instead of OptimizerOptions::maximumStart.
+  OptimizerResult Run(double maximumStart, const Progress& progress = {});
+
+private:
+  OptimizerOptions Options;
+  OptimizerResult Result;
+  std::unique_ptr<OptimizerRun> Optimizer;
+};
 }

@@ -3,6 +3,7 @@
 #include "AlignedPotential.h"
 #include "DomainQueries.h"
 #include "Error.h"
+#include "Parts.h"
 
 #include <cmath>
 #include <map>
@@ -58,10 +59,12 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   {
     missing[half.vertex] -= half.growth;
   }
+  std::vector<BoundaryLog> logs;
   for (std::size_t m = 0; m < this->BoundaryLogs.size(); ++m)
   {
-    this->AddFlow(this->BoundaryLogAt(m));
+    logs.push_back(this->BoundaryLogAt(m));
   }
+  this->AddFlows(logs);
   for (BoundaryHalf& half : this->Halves)
   {
     half.growth += 0.5 * missing[half.vertex];
@@ -108,15 +111,34 @@ PointPotential::LogFlow PointPotential::FlowOf(const BoundaryLog& source) const
   return flow;
 }
 
-void PointPotential::AddFlow(const BoundaryLog& source)
+void PointPotential::AddFlows(const std::vector<BoundaryLog>& sources)
 {
-  const LogFlow flow = this->FlowOf(source);
-  for (std::size_t h = 0; h < this->Halves.size(); ++h)
+  constexpr std::size_t BatchSize = 64; // limits the memory
+  const auto logsOfPart =
+    1 + MinimumPartSize / static_cast<std::ptrdiff_t>(this->Halves.size() + 1);
+  for (std::size_t batch = 0; batch < sources.size(); batch += BatchSize)
   {
-    BoundaryHalf& half = this->Halves[h];
-    half.logFlux += flow.flux[static_cast<Eigen::Index>(h)];
-    half.logMean += flow.mean[static_cast<Eigen::Index>(h)];
-    this->Sources[half.vertex] -= flow.flux[static_cast<Eigen::Index>(h)];
+    std::vector<LogFlow> flows(std::min(BatchSize, sources.size() - batch));
+    ForRanges(
+      static_cast<std::ptrdiff_t>(flows.size()),
+      [&](int begin, int end)
+      {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        {
+          flows[i] = this->FlowOf(sources[batch + i]);
+        }
+      },
+      logsOfPart);
+    for (const LogFlow& flow : flows)
+    {
+      for (std::size_t h = 0; h < this->Halves.size(); ++h)
+      {
+        BoundaryHalf& half = this->Halves[h];
+        half.logFlux += flow.flux[static_cast<Eigen::Index>(h)];
+        half.logMean += flow.mean[static_cast<Eigen::Index>(h)];
+        this->Sources[half.vertex] -= flow.flux[static_cast<Eigen::Index>(h)];
+      }
+    }
   }
 }
 
@@ -138,6 +160,7 @@ PointPotential PointPotential::WithAlignment(Alignment alignment) const
   {
     changes[this->LogVertices[m]] -= this->BoundaryLogs[m].strength;
   }
+  std::vector<BoundaryLog> added;
   const auto add = [&](const PointPotential& owner, std::size_t m)
   {
     double& change = changes[owner.LogVertices[m]];
@@ -145,7 +168,7 @@ PointPotential PointPotential::WithAlignment(Alignment alignment) const
     {
       BoundaryLog source = owner.BoundaryLogAt(m);
       source.log.strength = change;
-      result.AddFlow(source);
+      added.push_back(source);
       change = 0.0; // a vertex may have a logarithm in both
     }
   };
@@ -157,6 +180,7 @@ PointPotential PointPotential::WithAlignment(Alignment alignment) const
   {
     add(*this, m);
   }
+  result.AddFlows(added);
   return result;
 }
 
@@ -333,11 +357,33 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
 
   // 1. Sources of R. The angles at which a logarithm sees the boundary add up to its angle.
   result.sources = this->Sources;
-  for (const BoundaryHalf& half : this->Halves)
+  constexpr std::size_t BatchSize = 4096; // limits the memory
+  for (std::size_t batch = 0; batch < this->Halves.size(); batch += BatchSize)
   {
-    for (const LogSource& log : result.logs)
+    const std::size_t count = std::min(BatchSize, this->Halves.size() - batch);
+    Eigen::MatrixXd turns(static_cast<Eigen::Index>(inside), static_cast<Eigen::Index>(count));
+    ForRanges(
+      turns.cols(),
+      [&](int begin, int end)
+      {
+        for (Eigen::Index h = begin; h < end; ++h)
+        {
+          const BoundaryHalf& half = this->Halves[batch + static_cast<std::size_t>(h)];
+          for (std::size_t i = 0; i < inside; ++i)
+          {
+            const LogSource& log = result.logs[i];
+            turns(static_cast<Eigen::Index>(i), h) = log.strength * log.Turn(half.from, half.to);
+          }
+        }
+      },
+      1 + MinimumPartSize / static_cast<std::ptrdiff_t>(inside + 1));
+    for (Eigen::Index h = 0; h < turns.cols(); ++h)
     {
-      result.sources[half.vertex] -= log.strength * log.Turn(half.from, half.to);
+      double& source = result.sources[this->Halves[batch + static_cast<std::size_t>(h)].vertex];
+      for (Eigen::Index i = 0; i < turns.rows(); ++i)
+      {
+        source -= turns(i, h);
+      }
     }
   }
   result.logs.insert(result.logs.end(), this->BoundaryLogs.begin(), this->BoundaryLogs.end());

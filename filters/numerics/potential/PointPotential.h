@@ -126,8 +126,8 @@ private:
   void FindBoundaryLogs();
   /// Returns a logarithm at the boundary.
   BoundaryLog BoundaryLogAt(std::size_t boundaryLog) const;
-  /// Adds a logarithm at the boundary to fluxes, means and sources.
-  void AddFlow(const BoundaryLog& source);
+  /// Adds logarithms at the boundary to fluxes, means and sources, one after the other.
+  void AddFlows(const std::vector<BoundaryLog>& sources);
   /// Returns the ends of a half, on the polygon or on the curve.
   std::array<Point, 2> Ends(std::size_t half, bool onCurve) const;
   /// Returns the angles at which the position of a logarithm at the boundary sees all halves: a

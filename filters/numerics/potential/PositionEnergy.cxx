@@ -416,8 +416,17 @@ PositionEnergy::Curvature PositionEnergy::Differentiate(
 
   // 2. Products of first derivatives. W has the quadratic part ½ f·Rf − m·f/2 in the fluxes f and
   //    means m.
-  const Eigen::MatrixXd product =
-    AdjointProduct(fluxes, this->Respond(fluxes, result.regular) - means);
+  means = this->Respond(fluxes, result.regular) - means;
+  Eigen::MatrixXd product(fluxes.cols(), fluxes.cols());
+  constexpr Eigen::Index ColumnsOfPart = 16;
+  ForRanges(
+    product.cols(),
+    [&](int begin, int end)
+    {
+      product.middleCols(begin, end - begin) =
+        AdjointProduct(fluxes, means.middleCols(begin, end - begin));
+    },
+    ColumnsOfPart);
   result.hessian += 0.5 * (product + product.transpose());
   result.regular *= -1.0;
   return result;
