@@ -8,9 +8,8 @@
 
 namespace vtkCrossFieldParts
 {
-/// Calls function(0), ..., function(parts - 1) in as many threads as the filters use: OMP_NUM_THREADS,
-/// or the processors to which the process is bound and its quota of them. Returns when all have
-/// finished. If calls throw, the exception of the first of these parts is rethrown.
+/// Calls function(0), ..., function(parts - 1) in as many threads as the filters use (docs/limits.md,
+/// Threads). Returns when all have finished. If calls throw, the exception of the first of these parts is rethrown.
 VTKCROSSFIELDFILTERS_EXPORT void Run(
   std::size_t parts, const std::function<void(std::size_t)>& function);
 }
