@@ -32,7 +32,7 @@ cholmod_sparse LowerView(const Eigen::SparseMatrix<double>& matrix)
   return view;
 }
 
-/// Throws Error if CHOLMOD has run out of memory, or of numbers for the entries of the factor of a
+/// Throws Error if CHOLMOD has failed, for example because it ran out of memory, or of numbers for the entries of the factor of a
 /// matrix of the given size.
 void RequireSuccess(const cholmod_common& common, Eigen::Index size)
 {
@@ -45,6 +45,10 @@ void RequireSuccess(const cholmod_common& common, Eigen::Index size)
   {
     throw Error("There is not enough memory to factor a matrix with " + std::to_string(size) +
       " unknowns; use a larger mesh size.");
+  }
+  if (common.status < CHOLMOD_OK)
+  {
+    throw Error("The matrix could not be factored; the mesh is damaged, remesh the domain.");
   }
 }
 }
@@ -84,10 +88,16 @@ CholmodFactor FactorInOrder(const Eigen::SparseMatrix<double>& matrix, CholmodWo
     cholmod_factorize(&view, factor.get(), common);
   }
   RequireSuccess(*common, matrix.rows());
-  if (factor == nullptr || common->status < CHOLMOD_OK)
-  {
-    throw Error("The matrix could not be factored; the mesh is damaged, remesh the domain.");
-  }
   return factor;
+}
+
+void FactorAgain(
+  const Eigen::SparseMatrix<double>& matrix, CholmodWorkspace& workspace, cholmod_factor& factor)
+{
+  const SerialBlas serial;
+  const SerialRegions regions;
+  cholmod_sparse view = LowerView(matrix);
+  cholmod_factorize(&view, &factor, workspace.Get());
+  RequireSuccess(*workspace.Get(), matrix.rows());
 }
 }

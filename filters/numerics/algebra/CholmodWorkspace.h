@@ -59,4 +59,9 @@ void RequireFinite(const Eigen::SparseMatrix<double>& matrix);
 /// are valid then. Throws Error when there is not enough memory or the factor has too many entries.
 CholmodFactor FactorInOrder(const Eigen::SparseMatrix<double>& matrix, CholmodWorkspace& workspace,
   const std::vector<int>* order = nullptr);
+
+/// Replaces the values of a factor by those of another matrix with the same places of entries, in
+/// the same order.
+void FactorAgain(
+  const Eigen::SparseMatrix<double>& matrix, CholmodWorkspace& workspace, cholmod_factor& factor);
 }

@@ -1,6 +1,7 @@
 // Solves of DissectedCholesky with dense right-hand sides.
 #include "DenseProduct.h"
 #include "DissectedCholesky.h"
+#include "Error.h"
 #include "Parts.h"
 #include "SerialBlas.h"
 

@@ -18,16 +18,36 @@ struct SparseCholesky::Factor
 SparseCholesky::SparseCholesky(
   const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order)
   : Data(std::make_unique<Factor>())
+  , Order(order)
 {
   if (matrix.rows() != matrix.cols() || order.size() != static_cast<std::size_t>(matrix.rows()) ||
     !matrix.isCompressed())
   {
     throw Error("A factorisation needs a square compressed matrix and an order of all unknowns.");
   }
+  this->Refactor(matrix);
+}
+
+void SparseCholesky::Refactor(const Eigen::SparseMatrix<double>& matrix)
+{
   RequireFinite(matrix);
   CountFactorisation();
-  this->Data->factor = FactorInOrder(matrix, this->Data->workspace, &order);
-  if (this->Data->factor->minor < order.size())
+  const int* const starts = matrix.outerIndexPtr();
+  const int* const rows = matrix.innerIndexPtr();
+  const bool isKnown = this->Data->factor != nullptr &&
+    std::equal(this->Starts.begin(), this->Starts.end(), starts, starts + matrix.cols() + 1) &&
+    std::equal(this->Rows.begin(), this->Rows.end(), rows, rows + matrix.nonZeros());
+  if (isKnown)
+  {
+    FactorAgain(matrix, this->Data->workspace, *this->Data->factor);
+  }
+  else
+  {
+    this->Data->factor = FactorInOrder(matrix, this->Data->workspace, &this->Order);
+    this->Starts.assign(starts, starts + matrix.cols() + 1);
+    this->Rows.assign(rows, rows + matrix.nonZeros());
+  }
+  if (this->Data->factor->minor < this->Order.size())
   {
     throw NotPositiveDefinite();
   }

@@ -34,6 +34,11 @@ public:
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
+  /// Replaces the factor by that of another matrix, in the same order. If the entries have the same
+  /// places as before, what depends on these only is not computed again. Throws as the constructor
+  /// does; there is no factor after an error.
+  void Refactor(const Eigen::SparseMatrix<double>& matrix);
+
   /// Solves A X = B column by column. Throws Error when the result is not finite.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
 
@@ -46,5 +51,8 @@ private:
   struct Factor;
 
   std::unique_ptr<Factor> Data;
+  std::vector<int> Order;
+  std::vector<int> Starts; ///< Places of the entries: first entry of each column,
+  std::vector<int> Rows;   ///< and row of each entry.
 };
 }

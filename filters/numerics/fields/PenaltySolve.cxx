@@ -77,7 +77,14 @@ public:
     }
     try
     {
-      this->LastFactor = std::make_unique<SparseCholesky>(hessian, this->Order);
+      if (this->LastFactor)
+      {
+        this->LastFactor->Refactor(hessian);
+      }
+      else
+      {
+        this->LastFactor = std::make_unique<SparseCholesky>(hessian, this->Order);
+      }
       return true;
     }
     catch (const NotPositiveDefinite&)

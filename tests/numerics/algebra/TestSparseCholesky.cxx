@@ -200,5 +200,36 @@ TEST(SparseCholesky, RejectsOrdersOfTheWrongLength)
   EXPECT_TRUE(Refuses([&] { SparseCholesky(system.matrix, order); }, { "order" }));
   EXPECT_TRUE(Refuses([&] { SparseCholesky(SparseMatrix(3, 4), Natural(3)); }, { "square" }));
 }
+
+TEST(SparseCholesky, RefactorEqualsAFirstFactorisation)
+{
+  Random random(11);
+  const System system = RandomSystem(random, 0.2);
+  const std::vector<int> order = NestedDissection(system.matrix, system.places);
+  const Eigen::MatrixXd load = RandomMatrix(random, system.matrix.rows(), 3);
+  SparseCholesky again(system.matrix, order);
+
+  // The same places of entries, then more of them, and the first ones.
+  SparseMatrix other = system.matrix;
+  other.diagonal() *= 1.5;
+  SparseMatrix more = other;
+  more.coeffRef(0, other.rows() - 1) = 1e-3;
+  more.coeffRef(other.rows() - 1, 0) = 1e-3;
+  more.makeCompressed();
+  for (const SparseMatrix& matrix : { other, more, system.matrix })
+  {
+    again.Refactor(matrix);
+    EXPECT_EQ(again.Solve(load), SparseCholesky(matrix, order).Solve(load));
+  }
+
+  // An indefinite matrix leaves nothing behind.
+  SparseMatrix indefinite = system.matrix;
+  indefinite.diagonal() *= -1.0;
+  EXPECT_THROW(again.Refactor(indefinite), NotPositiveDefinite);
+  again.Refactor(other);
+  EXPECT_EQ(again.Solve(load), SparseCholesky(other, order).Solve(load));
+  other.coeffRef(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(again.Refactor(other), Error);
+}
 }
 }
