@@ -3,6 +3,7 @@
  * host at once: the program for the thread sanitizer (tests/threads/run.sh). Exits with 0 if all
  * threads find the same solution. With an argument, a loop with an error, which must be reported.
  */
+#include "Candidates.h"
 #include "DenseCholesky.h"
 #include "DissectedCholesky.h"
 #include "Parts.h"
@@ -69,6 +70,19 @@ double Run()
   {
     thread.join();
   }
+  // A search, the candidates of which have parts themselves.
+  AcceptFirst(
+    9, 4,
+    [](std::size_t candidate)
+    {
+      return SumOfRanges(30000,
+        [candidate](int begin, int end) { return static_cast<double>(candidate) * (end - begin); });
+    },
+    [&sum](std::size_t candidate, double value)
+    {
+      sum += value;
+      return candidate == 6;
+    });
   Eigen::MatrixXd dense = Eigen::MatrixXd::Constant(900, 900, 0.5);
   dense.diagonal().array() += 3.0;
   sum += DenseCholesky<double>(dense).Inverse().squaredNorm();

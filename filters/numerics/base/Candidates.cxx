@@ -1,12 +1,10 @@
 #include "Candidates.h"
 
-#include "ThreadLimit.h"
-
 namespace crossfield
 {
 std::size_t CandidateBatch(std::size_t elements)
 {
-  return elements >= 2 * MinimumPartSize ? 1 : static_cast<std::size_t>(ThreadLimit());
+  return elements >= 2 * MinimumPartSize ? 1 : static_cast<std::size_t>(ThreadsOfParts());
 }
 
 ProgressOfParts::ProgressOfParts(const Progress& progress)

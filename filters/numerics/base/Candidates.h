@@ -15,7 +15,7 @@
 namespace crossfield
 {
 /// Returns how many candidates of a search, each with a number of quads or triangles, are evaluated at
-/// the same time: as many as ThreadLimit allows, but one after the other if they are so large that loops
+/// the same time: as many as there are threads, but one after the other if they are so large that loops
 /// inside of them run in parts, since candidates need memory and some are evaluated in vain. The number
 /// changes the time of a search, never its result.
 std::size_t CandidateBatch(std::size_t elements);

@@ -107,11 +107,19 @@ void RunWithThreads(int threads, const std::function<void()>& function)
     });
 }
 
-int ThreadCount(std::size_t parts)
-{
-  const auto threads = static_cast<int>(std::min(parts, static_cast<std::size_t>(ThreadLimit())));
-  return InsideParts::Here() ? threads : StartableThreads(threads);
 }
+
+int ThreadsOfParts()
+{
+  if (const PartsTrace* const trace = PartsTrace::Active())
+  {
+    return trace->Processors();
+  }
+  if (InsideParts::Here())
+  {
+    return tbb::this_task_arena::max_concurrency();
+  }
+  return omp_in_parallel() != 0 ? 1 : StartableThreads(ThreadLimit());
 }
 
 void ForParts(std::size_t parts, const std::function<void(std::size_t)>& function)
@@ -145,9 +153,9 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
   {
     RunParts(parts, attempt);
   }
-  else if (const int threads = ThreadCount(parts); threads > 1 && omp_in_parallel() == 0)
+  else if (const int threads = ThreadsOfParts(); threads > 1)
   {
-    RunWithThreads(threads, [&] { RunParts(parts, attempt); });
+    RunWithThreads(std::min(threads, static_cast<int>(parts)), [&] { RunParts(parts, attempt); });
   }
   else
   {
@@ -167,9 +175,8 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
 
 void WithAllThreads(const std::function<void()>& function)
 {
-  const int threads = ThreadCount(MaximumPartCount);
-  if (PartsTrace::Active() != nullptr || InsideParts::Here() || threads == 1 ||
-    omp_in_parallel() != 0)
+  const int threads = ThreadsOfParts();
+  if (PartsTrace::Active() != nullptr || InsideParts::Here() || threads == 1)
   {
     function();
     return;

@@ -27,6 +27,9 @@ void ForParts(std::size_t parts, const std::function<void(std::size_t)>& functio
 /// outermost ForParts uses at most as many threads as it has parts.
 void WithAllThreads(const std::function<void()>& function);
 
+/// Returns the number of threads in which parts would run here.
+int ThreadsOfParts();
+
 /// Minimum number of simple items in a part. With fewer, the threads wait for each other longer than
 /// they compute when other programs use the processors, as in an optimiser that solves ten thousand
 /// times on a coarse mesh.

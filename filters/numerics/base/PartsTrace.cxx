@@ -21,7 +21,8 @@ double ThreadSeconds()
 }
 }
 
-PartsTrace::PartsTrace(const std::function<void()>& function)
+PartsTrace::PartsTrace(const std::function<void()>& function, int processors)
+  : ProcessorCount(processors)
 {
   active = this;
   this->Begin = ThreadSeconds();

@@ -13,8 +13,9 @@ class PartsTrace
 {
 public:
   /// Calls `function` and records it. All parts run in the calling thread, one after the other, so
-  /// that their times do not disturb each other.
-  explicit PartsTrace(const std::function<void()>& function);
+  /// that their times do not disturb each other. Searches evaluate as many candidates at the same
+  /// time as on a machine with this number of processors.
+  explicit PartsTrace(const std::function<void()>& function, int processors = 1);
   PartsTrace(const PartsTrace&) = delete;
   PartsTrace& operator=(const PartsTrace&) = delete;
 
@@ -25,6 +26,8 @@ public:
   double SecondsOn(int processors) const;
   /// Returns the seconds outside of all parts.
   double SerialSeconds() const;
+
+  int Processors() const { return this->ProcessorCount; }
 
   /// Returns the trace of which the calling thread is part, or null.
   static PartsTrace* Active();
@@ -48,6 +51,7 @@ private:
   /// Ends the present serial section.
   void EndSection();
 
+  int ProcessorCount;
   Work Root;
   Work* Present = &Root;
   double Begin = 0.0; ///< Processor time of this thread at the start of the present section.

@@ -6,10 +6,8 @@
 #include "CornerEnergy.h"
 #include "DomainQueries.h"
 #include "Parts.h"
-#include "PartsTrace.h"
 #include "PoincareHopf.h"
 #include "SingularityOptimizer.h"
-#include "ThreadLimit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,15 +122,6 @@ private:
   bool IsFree;
 };
 
-/// Returns the number of proposals to evaluate at the same time.
-std::size_t ProposalsAtOnce()
-{
-  // A trace records the parts for machines with up to 16 processors.
-  constexpr int ProcessorsOfTrace = 16;
-  return static_cast<std::size_t>(
-    PartsTrace::Active() != nullptr ? ProcessorsOfTrace : ThreadLimit());
-}
-
 /// Evaluates proposals in their order; the lowest energy so far bounds the starts of the next ones.
 /// With several threads, as many proposals are prepared at the same time, and those that seem to be
 /// below the bound are evaluated ahead. If the bound turns out to be lower than the start of one,
@@ -140,7 +129,7 @@ std::size_t ProposalsAtOnce()
 void EvaluateAll(const ProposalEvaluation& evaluation, const Progress& progress,
   std::vector<ProposedConfiguration>& proposals)
 {
-  const std::size_t width = ProposalsAtOnce();
+  const auto width = static_cast<std::size_t>(ThreadsOfParts());
   double lowest = std::numeric_limits<double>::infinity();
   const auto partOf = [&](std::size_t i)
   {

@@ -1,5 +1,6 @@
 #include "Candidates.h"
 #include "Error.h"
+#include "PartsTrace.h"
 #include "Support.h"
 
 #include <mutex>
@@ -83,6 +84,7 @@ TEST(Candidates, LargeOnesAreEvaluatedOneByOne)
 {
   EXPECT_EQ(CandidateBatch(1000000), 1u);
   EXPECT_GE(CandidateBatch(1000), 1u);
+  const PartsTrace trace([] { EXPECT_EQ(CandidateBatch(1000), 16u); }, 16);
 }
 
 TEST(Candidates, ProgressComesFromTheCreatingThreadAndGrows)
