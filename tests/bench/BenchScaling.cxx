@@ -94,8 +94,10 @@ void MeasureDomain(const std::string& name, const PlanarDomain& domain)
 {
   QuadRequest request;
   request.quadCount = 1000;
+  Configuration chosen;
   Measure((name + ", bare domain to quads").c_str(),
-    [&] { request.singularities = MakeQuadMesh(domain, request).singularities; });
+    [&] { chosen = MakeQuadMesh(domain, request).singularities; });
+  request.singularities = chosen;
   Measure((name + ", quads").c_str(), [&] { MakeQuadMesh(domain, request); });
   request.merge = BlockMerge::Coarse;
   Measure((name + ", fewer blocks").c_str(), [&] { MakeQuadMesh(domain, request); });

@@ -215,8 +215,12 @@ private:
   /// Evaluates an attempt, together with those that follow if it fails, which are kept. Returns it.
   Attempt EvaluateBatch(Attempt attempt, std::size_t i, const Progress& progress)
   {
-    const std::size_t batch = CandidateBatch(std::max(
-      this->Start.mesh.quads.size(), this->First.layout.map.topology->mesh.triangles.size()));
+    // Later attempts close more arcs and take longer, so with more of them at the same time the search
+    // would take longer than with one thread.
+    constexpr std::size_t MostAtOnce = 2;
+    const std::size_t batch = std::min(MostAtOnce,
+      CandidateBatch(std::max(
+        this->Start.mesh.quads.size(), this->First.layout.map.topology->mesh.triangles.size())));
     this->Prepared.clear(); // made for another number of maps that are left
     std::vector<Attempt> attempts;
     std::array<std::vector<int>, 2> tried = { this->Best.tried, this->First.tried };
