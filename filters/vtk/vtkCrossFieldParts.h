@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional> // for the parameter
 
+#ifndef __VTK_WRAP__ // a function of C++ only
 namespace vtkCrossFieldParts
 {
 /// Calls function(0), ..., function(parts - 1) in as many threads as the filters use (docs/limits.md,
@@ -13,5 +14,6 @@ namespace vtkCrossFieldParts
 VTKCROSSFIELDFILTERS_EXPORT void Run(
   std::size_t parts, const std::function<void(std::size_t)>& function);
 }
+#endif
 
 #endif

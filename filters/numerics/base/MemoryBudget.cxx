@@ -75,9 +75,9 @@ void LowerToControlGroups(std::optional<double>& minimum, const SystemFiles& fil
     });
 }
 
-/// Address space reserved for two threads, the maximum with such a limit (ThreadLimit.h). OpenBLAS allocates a buffer for each of the two threads
-/// that call it and retries for ever when a limit on the address space denies it. The threads also
-/// need stacks of the default size.
+/// Address space reserved for OpenBLAS, which allocates a buffer for each thread that calls it and
+/// retries for ever when a limit on the address space denies it, and for stacks of the default size:
+/// for the thread that computes, the only one with such a limit (ThreadLimit.h), and one of the host.
 constexpr double ThreadReserve = 2.0 * (128.0 + 8.0) * 1024.0 * 1024.0;
 
 void LowerToAddressSpace(std::optional<double>& minimum, const SystemFiles& files)

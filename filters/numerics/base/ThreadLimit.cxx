@@ -34,7 +34,6 @@ bool HasAddressLimit()
 
 int ThreadLimit()
 {
-  constexpr int MaximumWithAddressLimit = 2;
   static const int quota = ProcessorQuota();
   static const bool hasAddressLimit = HasAddressLimit();
   int threads = omp_get_max_threads();
@@ -43,7 +42,7 @@ int ThreadLimit()
     threads = std::min(threads, quota);
   }
   threads = std::min({ threads, omp_get_thread_limit(), LimitOfScopes });
-  return std::max(1, hasAddressLimit ? std::min(threads, MaximumWithAddressLimit) : threads);
+  return hasAddressLimit ? 1 : std::max(1, threads);
 }
 
 int StartableThreads(int wanted)

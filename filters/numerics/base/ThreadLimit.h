@@ -9,9 +9,9 @@ namespace crossfield
 ///
 /// A number that the user has set counts as it is: OMP_NUM_THREADS, or omp_set_num_threads in the
 /// host. Without one it is the number of processors to which this process is bound (affinity), and
-/// at most ProcessorQuota. In both cases it is at most OMP_THREAD_LIMIT, and at most 2 under a limit
-/// on the address space (`ulimit -v`), because OpenBLAS reserves addresses for each thread, and at
-/// most the number of every WithThreadLimit around the call.
+/// at most ProcessorQuota. In both cases it is at most OMP_THREAD_LIMIT, and at most the number of every
+/// WithThreadLimit around the call. Under a limit on the address space (`ulimit -v`) it is 1, because
+/// every thread reserves addresses: its stack, and a buffer of OpenBLAS.
 int ThreadLimit();
 
 /// Returns how many threads can run at once, at most `wanted` and at least 1. Starts them if so many
