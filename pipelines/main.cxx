@@ -29,14 +29,20 @@
 
 namespace
 {
+/** Returns whether the address space of the program is limited (ulimit -v). */
+bool HasAddressLimit()
+{
+  rlimit limit = {};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
 /**
  * Ends the program. Under a limit on the address space (ulimit -v) a thread of OpenBLAS may retry
  * an allocation for ever, and exit() would wait for it.
  */
 int End(int status)
 {
-  rlimit limit = {};
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+  if (HasAddressLimit())
   {
     std::cout.flush();
     std::fflush(nullptr);
@@ -130,8 +136,11 @@ int main(int argc, char** argv)
   // By default glibc returns every large block to the system, and the next stage waits until its
   // pages are cleared again: a tenth of the processor time of a field on a million triangles.
   // Blocks of larger problems are still returned, because free memory is checked before each stage.
-  mallopt(M_MMAP_THRESHOLD, 64 << 20);
-  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  if (!HasAddressLimit())
+  {
+    mallopt(M_MMAP_THRESHOLD, 64 << 20);
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  }
 #endif
   return End(Run(argc, argv));
 }
