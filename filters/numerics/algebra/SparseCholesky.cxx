@@ -15,38 +15,55 @@ struct SparseCholesky::Factor
   CholmodFactor factor;
 };
 
-SparseCholesky::SparseCholesky(
-  const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order)
+SparseCholesky::SparseCholesky(const std::vector<int>& order)
   : Data(std::make_unique<Factor>())
   , Order(order)
 {
-  if (matrix.rows() != matrix.cols() || order.size() != static_cast<std::size_t>(matrix.rows()) ||
-    !matrix.isCompressed())
+}
+
+SparseCholesky::SparseCholesky(
+  const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order)
+  : SparseCholesky(order)
+{
+  this->FactorFirst(matrix);
+}
+
+void SparseCholesky::FactorFirst(const Eigen::SparseMatrix<double>& matrix)
+{
+  if (matrix.rows() != matrix.cols() ||
+    this->Order.size() != static_cast<std::size_t>(matrix.rows()) || !matrix.isCompressed())
   {
     throw Error("A factorisation needs a square compressed matrix and an order of all unknowns.");
   }
-  this->Refactor(matrix);
+  RequireFinite(matrix);
+  CountFactorisation();
+  this->Data->factor = FactorInOrder(matrix, this->Data->workspace, &this->Order);
+  this->RequirePositivePivots();
 }
 
 void SparseCholesky::Refactor(const Eigen::SparseMatrix<double>& matrix)
 {
-  RequireFinite(matrix);
-  CountFactorisation();
   const int* const starts = matrix.outerIndexPtr();
   const int* const rows = matrix.innerIndexPtr();
   const bool isKnown = this->Data->factor != nullptr &&
     std::equal(this->Starts.begin(), this->Starts.end(), starts, starts + matrix.cols() + 1) &&
     std::equal(this->Rows.begin(), this->Rows.end(), rows, rows + matrix.nonZeros());
-  if (isKnown)
+  if (!isKnown)
   {
-    FactorAgain(matrix, this->Data->workspace, *this->Data->factor);
-  }
-  else
-  {
-    this->Data->factor = FactorInOrder(matrix, this->Data->workspace, &this->Order);
+    this->Data->factor.reset(); // after an error there is none for other places
     this->Starts.assign(starts, starts + matrix.cols() + 1);
     this->Rows.assign(rows, rows + matrix.nonZeros());
+    this->FactorFirst(matrix);
+    return;
   }
+  RequireFinite(matrix);
+  CountFactorisation();
+  FactorAgain(matrix, this->Data->workspace, *this->Data->factor);
+  this->RequirePositivePivots();
+}
+
+void SparseCholesky::RequirePositivePivots() const
+{
   if (this->Data->factor->minor < this->Order.size())
   {
     throw NotPositiveDefinite();

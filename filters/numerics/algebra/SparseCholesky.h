@@ -30,13 +30,15 @@ public:
   /// eliminated i-th. Throws Error when an entry is not finite, and NotPositiveDefinite when the
   /// matrix is not.
   SparseCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
+  /// Stores the order for Refactor, which must be called first.
+  explicit SparseCholesky(const std::vector<int>& order);
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
   /// Replaces the factor by that of another matrix, in the same order. If the entries have the same
-  /// places as before, what depends on these only is not computed again. Throws as the constructor
-  /// does; there is no factor after an error.
+  /// places as in the last call, what depends on these only is not computed again. Throws as the
+  /// constructor does; there is no factor after an error.
   void Refactor(const Eigen::SparseMatrix<double>& matrix);
 
   /// Solves A X = B column by column. Throws Error when the result is not finite.
@@ -50,9 +52,12 @@ public:
 private:
   struct Factor;
 
+  void FactorFirst(const Eigen::SparseMatrix<double>& matrix);
+  void RequirePositivePivots() const;
+
   std::unique_ptr<Factor> Data;
   std::vector<int> Order;
-  std::vector<int> Starts; ///< Places of the entries: first entry of each column,
+  std::vector<int> Starts; ///< Of the last call of Refactor: first entry of each column,
   std::vector<int> Rows;   ///< and row of each entry.
 };
 }

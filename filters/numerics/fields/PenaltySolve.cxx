@@ -26,7 +26,7 @@ public:
       }
     }
     this->Constrained.assign(constrained.begin(), constrained.end());
-    this->Order = energy.UnknownOrder(this->Constrained);
+    this->LastFactor = std::make_unique<SparseCholesky>(energy.UnknownOrder(this->Constrained));
     // For u = 0 and shift 1 the Hessian reduces to the stiffness matrix.
     const Eigen::VectorXd diagonal =
       energy.Hessian(ComplexVector::Zero(start.size()), 1.0).diagonal();
@@ -77,14 +77,7 @@ public:
     }
     try
     {
-      if (this->LastFactor)
-      {
-        this->LastFactor->Refactor(hessian);
-      }
-      else
-      {
-        this->LastFactor = std::make_unique<SparseCholesky>(hessian, this->Order);
-      }
+      this->LastFactor->Refactor(hessian);
       return true;
     }
     catch (const NotPositiveDefinite&)
@@ -138,8 +131,7 @@ private:
   const GinzburgLandauEnergy& Energy;
   ComplexVector Field;          ///< Field with the values on the aligned edges.
   std::vector<int> Constrained; ///< Positions in FreeEdges.
-  std::vector<int> Order;
-  double MeanDiagonal; ///< Mean diagonal entry of the stiffness matrix.
+  double MeanDiagonal;          ///< Mean diagonal entry of the stiffness matrix.
   std::unique_ptr<SparseCholesky> LastFactor;
 };
 }

@@ -207,7 +207,7 @@ TEST(SparseCholesky, RefactorEqualsAFirstFactorisation)
   const System system = RandomSystem(random, 0.2);
   const std::vector<int> order = NestedDissection(system.matrix, system.places);
   const Eigen::MatrixXd load = RandomMatrix(random, system.matrix.rows(), 3);
-  SparseCholesky again(system.matrix, order);
+  SparseCholesky again(order);
 
   // The same places of entries, then more of them, and the first ones.
   SparseMatrix other = system.matrix;
