@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the given presets, by default paraview511: the library, the Python package, the ParaView
+# Builds the given presets, by default paraview: the library, the Python package, the ParaView
 # plugin, the program and the tests, in build/. Installs missing Debian packages first. Compiles
 # only what has changed.
 #
@@ -7,6 +7,9 @@
 #
 #   --without-tests   in a new build folder: does not configure or compile tests and benchmarks,
 #                     and does not install the packages that only they need
+#
+# Warnings are errors in a new build folder with tests, and without if the variable
+# CROSSFIELD_WARNINGS_AS_ERRORS of the environment is ON: a user's compiler may print others than ours.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -15,8 +18,8 @@ if [[ "${1:-}" == --without-tests ]]; then
   tests=no
   shift
 fi
-presets=("${@:-paraview511}")
-if [[ ${presets[*]} != paraview511 ]]; then
+presets=("${@:-paraview}")
+if [[ ${presets[*]} != paraview ]]; then
   scripts/packages.sh --all
 elif [[ $tests == yes ]]; then
   scripts/packages.sh --tests
@@ -28,14 +31,14 @@ fi
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 for preset in "${presets[@]}"; do
   folder=build-$preset
-  if [[ $preset == paraview511 ]]; then
+  if [[ $preset == paraview ]]; then
     folder=build
   fi
   # Debian's VTK needs Debian's Python, even if another python3 comes first on the PATH.
   python=/usr/bin/python3
-  if [[ $preset == vtk91 ]]; then
-    scripts/vtk91.sh
-    python=$PWD/build-vtk91/vtk/bin/python3
+  if [[ $preset == vtk ]]; then
+    scripts/vtk.sh
+    python=$PWD/build-vtk/vtk/bin/python3
   fi
   options=("-DPython3_EXECUTABLE=$python")
   target=all
@@ -43,14 +46,19 @@ for preset in "${presets[@]}"; do
     options+=(-DCROSSFIELD_BUILD_TESTING=ON)
     # The numerics do not depend on VTK: if ParaView's build is made as well, it has their tests.
     numerics=ON
-    if [[ $preset == vtk91 && " ${presets[*]} " == *" paraview511 "* ]]; then
+    if [[ $preset == vtk && " ${presets[*]} " == *" paraview "* ]]; then
       numerics=OFF
     fi
     options+=("-DCROSSFIELD_BUILD_NUMERICS_TESTS=$numerics")
+    strict=ON
   elif [[ ! -e $folder/CMakeCache.txt ]]; then
     options+=(-DCROSSFIELD_BUILD_TESTING=OFF)
+    strict=OFF
   else
     target=product # a folder that was configured with tests keeps them
+  fi
+  if [[ ! -e $folder/CMakeCache.txt ]]; then # another value would compile everything again
+    options+=("-DCROSSFIELD_WARNINGS_AS_ERRORS=${CROSSFIELD_WARNINGS_AS_ERRORS:-$strict}")
   fi
   cmake --preset "$preset" "${options[@]}"
   cmake --build --preset "$preset" --target "$target"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Installs the Debian 12 packages that building needs. Returns at once if none is missing.
+# Installs the packages of Debian 12 or 13 that building needs. Returns at once if none is missing.
 #
 #   scripts/packages.sh [--tests] [--all] [--update]
 #
 #   --tests    also what the tests of scripts/test.sh need
-#   --all      also what scripts/test.sh --all needs: VTK 9.1, the checked build, two kinds of tests
+#   --all      also what scripts/test.sh --all needs: plain VTK, the checked build, two kinds of tests
 #   --update   updates the lists of packages even if no package is missing
 set -euo pipefail
 
@@ -23,6 +23,16 @@ for option in "$@"; do
   esac
 done
 
+if grep --quiet '^VERSION_ID="12"' /etc/os-release; then
+  # Qt of ParaView; the last package is for the help pages of the plugin.
+  qt=(libqt5opengl5-dev libqt5svg5-dev qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools)
+  # A solver that reads our files, and the formatter of Rules.Format.
+  of_release=(calculix-ccx clang-format-14)
+else
+  qt=(qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-5compat-dev)
+  of_release=() # Debian 13 has neither; the tests that need them are skipped
+fi
+
 packages=(
   # Compiler and tools.
   ccache cmake g++ ninja-build
@@ -38,24 +48,20 @@ packages=(
   paraview paraview-dev python3-dev python3-numpy python3-paraview xauth xvfb
   # find_package(ParaView) looks for these; paraview-dev does not depend on them.
   libavcodec-dev libavformat-dev libdouble-conversion-dev libfreetype-dev libgdal-dev
-  libgl2ps-dev libglew-dev libhdf5-openmpi-dev libqt5opengl5-dev libqt5svg5-dev libswscale-dev
-  libtheora-dev libutfcpp-dev qtbase5-dev qttools5-dev
-  # For the help pages of the plugin.
-  qtxmlpatterns5-dev-tools
+  libgl2ps-dev libglew-dev libhdf5-openmpi-dev libswscale-dev libtheora-dev libutfcpp-dev "${qt[@]}"
 )
 if [[ $tests == yes ]]; then
   packages+=(
-    # Rules.Format needs this version of clang-format.
-    clang-format-14 libbenchmark-dev libgtest-dev
+    libbenchmark-dev libgtest-dev "${of_release[@]}"
     # Readers of the files for solvers.
-    calculix-ccx cgns-convert gmsh openfoam python3-meshio
+    cgns-convert gmsh openfoam python3-meshio
     # For parameter studies, which run with mpirun.
     openmpi-bin python3-mpi4py
   )
 fi
 if [[ $all == yes ]]; then
   packages+=(
-    # find_package(VTK) looks for these in VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes
+    # find_package(VTK) looks for these in plain VTK, which scripts/vtk.sh unpacks; patchelf makes
     # its libraries find each other.
     libjsoncpp-dev patchelf
     # The checked build: sanitizers, libFuzzer, OpenMP, gcov and clang-tidy of clang.
@@ -87,8 +93,8 @@ if [[ $(id --user) -ne 0 ]]; then
   fi
   as_root=(sudo)
 fi
-# Waits while another program installs packages.
-# Packages can be installed again, so dpkg need not flush each file to the disk.
+# Waits while another program installs packages. Packages can be installed again, so dpkg need not
+# flush each file to the disk.
 apt=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --option DPkg::Lock::Timeout=600
   --option Dpkg::Options::=--force-unsafe-io)
 "${as_root[@]}" "${apt[@]}" update

@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
-# Builds for ParaView 5.11 and runs the tests of that build. Exits with 0 only if all tests pass.
+# Builds for ParaView and runs the tests of that build. Exits with 0 only if all tests pass.
 #
 #   scripts/test.sh [OPTIONS OF CTEST]         about 20 minutes on a new machine with 2 cores
-#   scripts/test.sh --all [OPTIONS OF CTEST]   also for VTK 9.1 and with sanitizers: about 60 minutes
+#   scripts/test.sh --all [OPTIONS OF CTEST]   also for plain VTK and with sanitizers: about 60 minutes
 #
 # ctest runs once per build. tests/left_out lists the tests that a build leaves out.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Names of presets and of the lists of tests that they leave out.
-presets=(paraview511)
+presets=(paraview)
 lists=(quick)
 if [[ "${1:-}" == --all ]]; then
   shift
-  presets=(vtk91 checked paraview511)
-  lists=(vtk91 checked none)
+  presets=(vtk checked paraview)
+  lists=(vtk checked none)
 fi
 # ctest takes one option -E only, so patterns given here join those of the list.
 options=()
@@ -54,7 +54,7 @@ run_tests() {
 failed=()
 for i in "${!presets[@]}"; do
   folder=build-${presets[i]}
-  if [[ ${presets[i]} == paraview511 ]]; then
+  if [[ ${presets[i]} == paraview ]]; then
     folder=build
   fi
   echo "Tests of ${presets[i]}:"

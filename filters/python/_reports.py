@@ -12,7 +12,7 @@ from typing import Any, Optional, Sequence
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkDataSet, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkTable
 
 _TABLE = json.loads(pathlib.Path(__file__).with_name("reports.json").read_text(encoding="utf-8"))
 _TYPES = {"number": float, "integer": int, "flag": bool, "text": str}
@@ -81,8 +81,8 @@ class _Reader:
             axis, = arguments
             return place.points.GetPoint(place.row)[axis] if axis < 2 or self._has_height else None
         if kind == "triangles":
-            types = vtk_to_numpy(self._sources[""].GetCellTypesArray())
-            return int(np.count_nonzero(types == VTK_TRIANGLE))
+            kinds = self._sources[""].GetCellData().GetArray(names.BoundaryKind)
+            return int(np.count_nonzero(vtk_to_numpy(kinds) == 0))
         if kind == "stages":
             return dict(zip(arguments, self._seconds)) if self._seconds else None
         if kind == "seconds":

@@ -9,8 +9,7 @@ from typing import Any, Optional, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import (
-    VTK_LINE, VTK_TRIANGLE, vtkPolyData, vtkUnstructuredGrid)
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from . import names
@@ -185,10 +184,10 @@ def configuration_of(algorithm: Any, port: int = 0) -> Configuration:
 
 
 def _mesh_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
-    types = vtk_to_numpy(grid.GetCellTypesArray())
+    kinds = vtk_to_numpy(grid.GetCellData().GetArray(names.BoundaryKind))
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
-    lines = types == VTK_LINE
+    triangles, lines = kinds == 0, kinds != 0
 
     def corners(wanted: np.ndarray, count: int) -> np.ndarray:
         return ids[starts[wanted][:, None] + np.arange(count)]
@@ -196,8 +195,8 @@ def _mesh_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
     def of_lines(name: str) -> np.ndarray:
         return vtk_to_numpy(grid.GetCellData().GetArray(name))[lines]
 
-    return {"points": places(grid), "triangles": corners(types == VTK_TRIANGLE, 3),
-            "edges": corners(lines, 2), "boundary_kind": of_lines(names.BoundaryKind),
+    return {"points": places(grid), "triangles": corners(triangles, 3),
+            "edges": corners(lines, 2), "boundary_kind": kinds[lines],
             "boundary_id": of_lines(names.BoundaryId),
             "quarter_index": of_lines(names.QuarterIndex), "grid": grid}
 
@@ -209,7 +208,7 @@ def mesh_of(grid: vtkUnstructuredGrid) -> Mesh:
 
 def _field_arrays(grid: vtkUnstructuredGrid, chosen: Optional[Configuration]) -> dict[str, Any]:
     mesh = _mesh_arrays(grid)
-    triangles = vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TRIANGLE
+    triangles = vtk_to_numpy(grid.GetCellData().GetArray(names.BoundaryKind)) == 0
 
     def shown(attributes: Any, name: str, wanted: Any = slice(None)) -> Optional[np.ndarray]:
         if not attributes.HasArray(name):

@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkNew.h"
+#include "vtkPVVersion.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMSourceProxy.h"
 
@@ -132,6 +133,7 @@ RunAbort::RunAbort(QObject* parent)
 //------------------------------------------------------------------------------
 void RunAbort::startup()
 {
+#if PARAVIEW_VERSION_MAJOR < 6 || (PARAVIEW_VERSION_MAJOR == 6 && PARAVIEW_VERSION_MINOR < 1)
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
   QObject::connect(model, &pqServerManagerModel::sourceAdded, this, &RunAbort::Observe);
   for (auto* source : model->findItems<pqPipelineSource*>())
@@ -142,6 +144,7 @@ void RunAbort::startup()
   QObject::connect(progress, &pqProgressManager::progress, this,
     [this](const QString&, int value) { this->ProcessEvents(value); });
   QObject::connect(progress, &pqProgressManager::abort, this, &RunAbort::Abort);
+#endif
 }
 
 //------------------------------------------------------------------------------

@@ -2,11 +2,13 @@
  * @class   RunAbort
  * @brief   lets the user abort a run with the client's abort button or Esc
  *
- * ParaView 5.11 does not process events while a filter runs, and its abort button is connected to
- * nothing. While a filter of this plugin runs, this object enables the button, processes events at
+ * ParaView before 6.1 does not process events while a filter runs, and its abort button is connected
+ * to nothing. While a filter of this plugin runs, this object enables the button, processes events at
  * each progress report, and sets the abort flag of the filter when the button or Esc is pressed. All
  * other input is discarded and timers wait, so that nothing else changes or draws the pipeline
  * during the run.
+ *
+ * ParaView 6.1 has an abort button of its own, and this object does nothing there.
  *
  * An aborted filter has empty outputs; *Apply* is enabled and runs it again. Works with the built-in
  * server only: a remote server does not listen during a run.

@@ -68,7 +68,10 @@ void ShowNorm(vtkSMProxy* shown)
 //------------------------------------------------------------------------------
 void ShowSizes(vtkSMProxy* shown)
 {
-  vtkSMPVRepresentationProxy::SetScalarColoring(shown, "SizeMap", vtkDataObject::POINT);
+  if (auto* representation = vtkSMPVRepresentationProxy::SafeDownCast(shown))
+  {
+    representation->SetScalarColoring("SizeMap", vtkDataObject::POINT);
+  }
   if (vtkSMProxy* colours = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy())
   {
     vtkSMTransferFunctionProxy::ApplyPreset(colours, "Viridis (matplotlib)");
@@ -219,9 +222,10 @@ void ApplyDefaults(pqPipelineSource* source, pqDataRepresentation* representatio
       {
         vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(chosen, view);
       }
-      if (view && vtkSMPVRepresentationProxy::GetUsingScalarColoring(shown))
+      auto* coloured = vtkSMPVRepresentationProxy::SafeDownCast(shown);
+      if (view && coloured && coloured->GetUsingScalarColoring())
       {
-        vtkSMPVRepresentationProxy::SetScalarBarVisibility(shown, view, rule.hasLegend);
+        coloured->SetScalarBarVisibility(view, rule.hasLegend);
       }
       representation->renderViewEventually();
     }

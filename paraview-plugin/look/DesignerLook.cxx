@@ -60,7 +60,8 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     // Too small to be visible from the side.
     const double height = box.IsValid() ? part * box.GetDiagonalLength() : 0;
     const HandlePlane::Vector position = { height * up[0], height * up[1], height * up[2] };
-    vtkSMPropertyHelper(shown, "Position").Set(position.data(), 3);
+    const char* const name = shown->GetProperty("Translation") ? "Translation" : "Position"; // ParaView 5.13
+    vtkSMPropertyHelper(shown, name).Set(position.data(), 3);
   };
   switch (port)
   {

@@ -144,11 +144,10 @@ void SetPatchColours(vtkSMProxy* shown)
 //------------------------------------------------------------------------------
 void HideLegend(pqDataRepresentation* representation)
 {
-  if (representation->getView() &&
-    vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation->getProxy()))
+  auto* coloured = vtkSMPVRepresentationProxy::SafeDownCast(representation->getProxy());
+  if (representation->getView() && coloured && coloured->GetUsingScalarColoring())
   {
-    vtkSMPVRepresentationProxy::SetScalarBarVisibility(
-      representation->getProxy(), representation->getView()->getProxy(), false);
+    coloured->SetScalarBarVisibility(representation->getView()->getProxy(), false);
   }
 }
 }

@@ -8,6 +8,9 @@ a singularity of quarter index 1, blue at -1. Everything is grey if the layout i
 positions. Thin lines are quads, drafts while a handle is dragged. The text summarises the quality
 of the layout, or reports why there is none.
 """
+import paraview
+
+paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # names of properties
 from paraview.simple import *
 
 domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)

@@ -4,6 +4,9 @@ Green points are the start, red points the result, and grey lines the paths betw
 when the state is loaded. The curve is the renormalised energy W over the iterations (lower is
 better). The field is that of the moved singularities.
 """
+import paraview
+
+paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # names of properties
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkObject

@@ -3,6 +3,9 @@
 There are four singularities of each sign. Separatrices are red if they start at quarter index 1,
 blue at -1; patches have pale colours; thin black lines are streamlines of the field from one seed.
 """
+import paraview
+
+paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # names of properties
 from paraview.simple import *
 
 domain = PlanarDomainSource(registrationName="Domain", DomainName="ring", EdgeLength=0.04)

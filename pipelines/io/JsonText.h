@@ -1,7 +1,7 @@
 #ifndef JsonText_h
 #define JsonText_h
 
-#include <nlohmann/json.hpp>
+#include "Json.h"
 
 #include <string>
 

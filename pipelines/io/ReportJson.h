@@ -1,7 +1,7 @@
 #ifndef ReportJson_h
 #define ReportJson_h
 
-#include <nlohmann/json_fwd.hpp>
+#include "Json.h"
 
 #include <map>
 #include <string>

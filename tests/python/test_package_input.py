@@ -24,7 +24,7 @@ from package_checks import PAIR, SQUARE, expect_error, silence, write_rows
 def test_forms_of_input():
     write_rows(os.path.join(FOLDER, "pair.csv"), PAIR)
     csv = os.path.join(FOLDER, "square.csv")
-    np.savetxt(csv, SQUARE, "%r", delimiter=",", header="x,y", comments="")
+    np.savetxt(csv, SQUARE, "%.17g", delimiter=",", header="x,y", comments="")
     loop = vtkPolyData()
     loop.SetPoints(crossfield.solve(SQUARE, PAIR).grid.GetPoints().NewInstance())
     for x, y in SQUARE:

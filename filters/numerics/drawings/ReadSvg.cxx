@@ -6,6 +6,8 @@
 
 #include <expat.h>
 
+#include <cstdint>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -21,6 +23,15 @@ namespace crossfield
 {
 namespace
 {
+std::uint64_t LineNumber(XML_Parser parser)
+{
+#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
+  return XML_GetCurrentLineNumber64(parser);
+#else
+  return XML_GetCurrentLineNumber(parser);
+#endif
+}
+
 /// Collects the shapes while Expat reads the document.
 class SvgReader
 {
@@ -46,8 +57,8 @@ public:
     }
     if (!isGood)
     {
-      throw Error("Line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + " of '" +
-        file + "' is no valid XML (" + XML_ErrorString(XML_GetErrorCode(parser.get())) +
+      throw Error("Line " + std::to_string(LineNumber(parser.get())) + " of '" + file +
+        "' is no valid XML (" + XML_ErrorString(XML_GetErrorCode(parser.get())) +
         "); save the drawing again.");
     }
     if (!this->HasSvg)
@@ -182,7 +193,7 @@ private:
     AffineMap upward = IdentityMap();
     upward(1, 1) = -1.0;
     const std::string origin = "the " + element + " of line " +
-      std::to_string(XML_GetCurrentLineNumber(this->Parser)) +
+      std::to_string(LineNumber(this->Parser)) +
       (level.name.empty() ? "" : " ('" + level.name + "')");
     for (DrawingPiece& piece : SvgShape(element, attributes))
     {

@@ -9,10 +9,10 @@
 #include "UsedPoints.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellTypes.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataSet.h"
 #include "vtkFeatureEdges.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIncrementalOctreePointLocator.h"
 #include "vtkNew.h"
@@ -30,6 +30,13 @@ namespace
 using crossfield::Error;
 using crossfield::Point;
 
+/** Returns the class of the cells of a type, for a message. */
+std::string NameOfType(int type)
+{
+  const auto cell = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return cell ? cell->GetClassName() : "number " + std::to_string(type);
+}
+
 /**
  * Returns the surface cells of a data set, or else its lines, with the points that they use.
  * Vertices are ignored. Throws crossfield::Error for other cells and for coordinates that are not
@@ -39,16 +46,8 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
 {
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> surfaces;
-  const auto add = [](vtkCellArray* cells, const auto& points)
-  {
-    cells->InsertNextCell(static_cast<int>(points.Size()));
-    for (const auto point : points)
-    {
-      cells->InsertCellPoint(static_cast<vtkIdType>(point));
-    }
-  };
   CellLoop::ForEachCell(input,
-    [&](vtkIdType, int type, const auto& points)
+    [&](vtkIdType, int type, const CellLoop::Points& points)
     {
       switch (type)
       {
@@ -58,19 +57,18 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
         break;
       case VTK_LINE:
       case VTK_POLY_LINE:
-        add(lines, points);
+        lines->InsertNextCell(points.Size(), points.begin());
         break;
       case VTK_TRIANGLE:
       case VTK_QUAD:
       case VTK_POLYGON:
-        add(surfaces, points);
+        surfaces->InsertNextCell(points.Size(), points.begin());
         break;
       case VTK_PIXEL: // points are ordered by rows, not around the cell
         surfaces->InsertNextCell({ points[0], points[1], points[3], points[2] });
         break;
       default:
-        throw Error("The domain has cells of type " +
-          std::string(vtkCellTypes::GetClassNameFromTypeId(type)) +
+        throw Error("The domain has cells of type " + NameOfType(type) +
           "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
       }
     });
@@ -92,15 +90,17 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
     InputCheck::RequireFinite(place, point);
     kept->InsertNextPoint(place);
   }
-  cells->Visit(
-    [&used](auto& state)
+  vtkNew<vtkCellArray> numbered;
+  CellLoop::ForEachInList(cells,
+    [&](vtkIdType, const CellLoop::Points& cell)
     {
-      auto* connectivity = state.GetConnectivity();
-      for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
+      numbered->InsertNextCell(static_cast<int>(cell.Size()));
+      for (const vtkIdType point : cell)
       {
-        connectivity->SetValue(i, used.IndexOf(connectivity->GetValue(i)));
+        numbered->InsertCellPoint(used.IndexOf(point));
       }
     });
+  isSurface ? result->SetPolys(numbered) : result->SetLines(numbered);
   result->SetPoints(kept);
   return result;
 }

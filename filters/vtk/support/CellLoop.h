@@ -2,11 +2,12 @@
 #define CellLoop_h
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 /**
@@ -15,41 +16,37 @@
  */
 namespace CellLoop
 {
-/** Points of one cell, with ids of 32 or 64 bits. */
-template <class Id>
+/** Points of one cell. Valid until the loop goes to the next cell. */
 class Points
 {
 public:
-  Points(const Id* first, vtkIdType count)
+  Points(const vtkIdType* first, vtkIdType count)
     : First(first)
     , Count(count)
   {
   }
   vtkIdType Size() const { return this->Count; }
-  vtkIdType operator[](vtkIdType i) const { return static_cast<vtkIdType>(this->First[i]); }
-  const Id* begin() const { return this->First; }
-  const Id* end() const { return this->First + this->Count; }
+  vtkIdType operator[](vtkIdType i) const { return this->First[i]; }
+  const vtkIdType* begin() const { return this->First; }
+  const vtkIdType* end() const { return this->First + this->Count; }
 
 private:
-  const Id* First;
+  const vtkIdType* First;
   vtkIdType Count;
 };
 
-/** Calls work(cell, points) for every cell of a list. */
+/** Calls work(cell, points) for every cell of a list, whatever arrays the list consists of. */
 template <class Work>
 void ForEachInList(vtkCellArray* list, const Work& work)
 {
-  list->Visit(
-    [&work](auto& state)
-    {
-      const auto* ids = state.GetConnectivity()->GetPointer(0);
-      const auto* offsets = state.GetOffsets()->GetPointer(0);
-      for (vtkIdType cell = 0; cell < state.GetNumberOfCells(); ++cell)
-      {
-        work(cell,
-          Points(ids + offsets[cell], static_cast<vtkIdType>(offsets[cell + 1] - offsets[cell])));
-      }
-    });
+  const auto iterator = vtk::TakeSmartPointer(list->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    iterator->GetCurrentCell(count, points);
+    work(iterator->GetCurrentCellId(), Points(points, count));
+  }
 }
 
 /** Calls work(cell, type, points) for every cell of a data set. */
@@ -59,9 +56,9 @@ void ForEachCell(vtkDataSet* data, const Work& work)
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   if (grid != nullptr && grid->GetCells() != nullptr && grid->GetNumberOfCells() > 0)
   {
-    const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
     ForEachInList(grid->GetCells(),
-      [&work, types](vtkIdType cell, const auto& points) { work(cell, types[cell], points); });
+      [&work, grid](vtkIdType cell, const Points& points)
+      { work(cell, grid->GetCellType(cell), points); });
     return;
   }
   // The cells are in several lists or defined by a structure.
@@ -70,7 +67,7 @@ void ForEachCell(vtkDataSet* data, const Work& work)
   {
     const int type = data->GetCellType(cell);
     data->GetCellPoints(cell, ids);
-    work(cell, type, Points<vtkIdType>(ids->GetPointer(0), ids->GetNumberOfIds()));
+    work(cell, type, Points(ids->GetPointer(0), ids->GetNumberOfIds()));
   }
 }
 }

@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <array>
 #include <cmath>
@@ -33,8 +34,13 @@ bool HasValidLists(vtkDataSet* input)
   {
     return true; // cells defined by a structure, or none
   }
-  return grid->GetCells()->IsValid() && grid->GetCellTypesArray() != nullptr &&
-    grid->GetCellTypesArray()->GetNumberOfValues() == grid->GetCells()->GetNumberOfCells();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  const vtkDataArray* types = grid->GetCellTypes();
+#else
+  const vtkDataArray* types = grid->GetCellTypesArray();
+#endif
+  return grid->GetCells()->IsValid() && types != nullptr &&
+    types->GetNumberOfValues() == grid->GetCells()->GetNumberOfCells();
 }
 
 /** Returns the number of points of a cell of this type; 0 if it varies. */
