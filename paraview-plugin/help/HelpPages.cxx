@@ -1,0 +1,9 @@
+#include "HelpPages.h"
+
+#include "pqApplicationCore.h"
+
+//------------------------------------------------------------------------------
+void HelpPages::startup()
+{
+  pqApplicationCore::instance()->registerDocumentation(":/CrossField/CrossFieldPlugin");
+}
