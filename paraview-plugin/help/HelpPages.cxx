@@ -5,5 +5,5 @@
 //------------------------------------------------------------------------------
 void HelpPages::startup()
 {
-  pqApplicationCore::instance()->registerDocumentation(":/CrossField/CrossFieldPlugin");
+  pqApplicationCore::instance()->registerDocumentation(":/CrossField/CrossFieldPlugin.qch");
 }

@@ -1,11 +1,14 @@
-"""Runs all commands of the program with 1, 2, 3, 4, 8 and 16 threads and compares every byte that they write, and the
-numbers of their reports except times:
+"""Runs all commands of the program and compares every byte that they write, and the numbers of their reports except
+times:
 
-  python3 tests/pipelines/same_bytes.py PROGRAM [--short]
+  python3 tests/pipelines/same_bytes.py PROGRAM                  with 1, 2, 3, 4, 8 and 16 threads
+  python3 tests/pipelines/same_bytes.py PROGRAM --short          fewer runs, with 1, 3 and 16 threads
+  python3 tests/pipelines/same_bytes.py PROGRAM --against OTHER  with another program, for example one of an earlier commit
 
-Exits with 0 if all are equal. With --short: fewer runs, with 1, 3 and 16 threads.
+Exits with 0 if all are equal.
 """
 
+import argparse
 import hashlib
 import json
 import os
@@ -106,19 +109,31 @@ def run(program, arguments, threads):
         return result.returncode, result.stderr, digest(folder, "out")
 
 
+def differing(first, second):
+    """Returns what differs between two results."""
+    if first[:2] != second[:2]:
+        return f"status and messages {first[:2]} and {second[:2]}"
+    names = {**first[2], **second[2]}
+    return ", ".join(sorted(name for name in names if first[2].get(name) != second[2].get(name)))
+
+
 def main():
     """Compares all runs."""
-    program = os.path.abspath(sys.argv[1])
-    is_short = "--short" in sys.argv
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=os.path.abspath)
+    parser.add_argument("--short", action="store_true")
+    parser.add_argument("--against", type=os.path.abspath, metavar="OTHER")
+    options = parser.parse_args()
+    if options.against:
+        variants = [(options.program, 2), (options.against, 2)]
+    else:
+        variants = [(options.program, threads) for threads in (SHORT_THREADS if options.short else THREADS)]
     failures = 0
-    for arguments in RUNS[:SHORT] if is_short else RUNS:
-        results = [run(program, arguments, threads) for threads in (SHORT_THREADS if is_short else THREADS)]
-        status, messages, outputs = results[0]
-        problem = ""
-        if status not in (0, 1) or not outputs:
-            problem = f"status {status}: {messages.strip()}"
-        elif any(other != results[0] for other in results):
-            problem = "differs with the number of threads"
+    for arguments in RUNS[:SHORT] if options.short else RUNS:
+        first, *others = [run(program, arguments, threads) for program, threads in variants]
+        problem = ", ".join({differing(first, other) for other in others} - {""})
+        if first[0] not in (0, 1) or not first[2]:
+            problem = f"status {first[0]}: {first[1].strip()}"
         failures += bool(problem)
         print(f"{'FAILED' if problem else 'equal '}  {arguments}  {problem}", flush=True)
     return 1 if failures else 0
