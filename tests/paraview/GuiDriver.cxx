@@ -25,6 +25,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QHelpEngine>
 #include <QImage>
 #include <QLabel>
 #include <QListWidget>
@@ -126,6 +127,25 @@ extern "C"
       QCoreApplication::processEvents(QEventLoop::AllEvents);
     }
     return 1e-9 * static_cast<double>(timer.nsecsElapsed());
+  }
+
+  /** Returns the page of the client's help with a name; empty if there is none. */
+  const char* gui_help(const char* name)
+  {
+    static QByteArray page;
+    page.clear();
+    QHelpEngine* engine = pqApplicationCore::instance()->helpEngine();
+    for (const QString& book : engine->registeredDocumentations())
+    {
+      for (const QUrl& address : engine->files(book, QString()))
+      {
+        if (address.path().endsWith(QString("/") + name))
+        {
+          page = engine->fileData(address);
+        }
+      }
+    }
+    return page.constData();
   }
 
   /** Clicks a button by its text; reports whether there is such a button and it is enabled. */

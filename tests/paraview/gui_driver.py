@@ -11,7 +11,7 @@ from paraview import simple
 gui = ctypes.PyDLL(os.environ["GUI_DRIVER"])
 gui.gui_time_of_move.restype = gui.gui_number.restype = ctypes.c_double
 gui.gui_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
-for function in gui.gui_undo_label, gui.gui_messages, gui.gui_label:
+for function in gui.gui_help, gui.gui_undo_label, gui.gui_messages, gui.gui_label:
     function.restype = ctypes.c_char_p
 for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_select_choice, gui.gui_abort_enabled:
     function.restype = ctypes.c_bool
