@@ -17,17 +17,12 @@ def _name(name: str) -> str:
     return name
 
 
-def _number(number: float) -> str:
-    # numpy 2 writes the type of its own numbers as well.
-    return repr(number.item() if hasattr(number, "item") else number)
-
-
 def layers_text(layers: Layers) -> str:
     """Returns first height, growth and number of rows for each named side."""
     entries = []
     for name, values in layers.items():
         numbers = [values] if isinstance(values, (int, float)) else list(values)
-        entries.append("%s:%s" % (_name(name), ",".join(_number(number) for number in numbers)))
+        entries.append("%s:%s" % (_name(name), ",".join(str(number) for number in numbers)))
     return ";".join(entries)
 
 
