@@ -10,7 +10,7 @@ of the layout, or reports why there is none.
 """
 import paraview
 
-paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # names of properties
+paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # Position, which ParaView 5.13 renames
 from paraview.simple import *
 
 domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)

@@ -6,7 +6,7 @@ better). The field is that of the moved singularities.
 """
 import paraview
 
-paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # names of properties
+paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # Position, which ParaView 5.13 renames
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkObject

@@ -5,7 +5,7 @@ blue at -1; patches have pale colours; thin black lines are streamlines of the f
 """
 import paraview
 
-paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # names of properties
+paraview.compatibility.major, paraview.compatibility.minor = 5, 11  # Position, which ParaView 5.13 renames
 from paraview.simple import *
 
 domain = PlanarDomainSource(registrationName="Domain", DomainName="ring", EdgeLength=0.04)
