@@ -5,6 +5,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HigherOrderConversion.h"
+#include "QuadBoundary.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkInformation.h"
@@ -12,7 +13,6 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkExtrudeQuads);
@@ -45,12 +45,11 @@ int vtkExtrudeQuads::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkPolyData* boundary = vtkPolyData::GetData(inputVector[1]);
   return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
     {
       vtkNew<vtkUnstructuredGrid> mesh;
-      HigherOrderConversion::Join(input, boundary, mesh);
+      HigherOrderConversion::Join(input, QuadBoundary::Find(this), mesh);
       const ExportConversion::Cells quads = ExportConversion::ReadMesh(mesh);
       crossfield::Sweep sweep;
       sweep.kind =

@@ -9,7 +9,8 @@
  *
  * Input port 0 (vtkUnstructuredGrid): quads and lines of order 1 or 2: vtkQuadMesher::CopyMesh,
  * vtkQuadsToHigherOrder or a .vtu file of `crossfield quads`; or output 0 of vtkQuadMesher. Input port 1,
- * optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no lines.
+ * optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no lines; without a connection,
+ * those of the vtkQuadMesher upstream whose points and cells port 0 has.
  *
  * Output port 0 (vtkUnstructuredGrid): VTK_HEXAHEDRON and VTK_WEDGE, or VTK_TRIQUADRATIC_HEXAHEDRON,
  * layer by layer in the order of the quads, then the faces of the boundary: VTK_QUAD and VTK_TRIANGLE, or

@@ -10,6 +10,7 @@
 #include "MapConversion.h"
 #include "PatchConversion.h"
 #include "PlaneFrame.h"
+#include "QuadBoundary.h"
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "TMeshConversion.h"
@@ -102,8 +103,8 @@ private:
       LayoutConversion::AddReport(design, report, output->GetFieldData());
     }
     ViewText::Write(vtkCrossFieldArrayNames::Summary,
-      ViewText::WrapLines(LayoutConversion::Summary(design, report)), !report.refusal.empty(),
-      this->Summary);
+      ViewText::WrapLines(LayoutConversion::Summary(design, report)),
+      LayoutConversion::ReportsProblem(design, report), this->Summary);
   }
 
   vtkPolyData* Separatrices;
@@ -140,6 +141,10 @@ int vtkLayoutDesigner::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char* const types[6] = { "vtkPolyData", "vtkPolyData", "vtkPolyData", "vtkUnstructuredGrid",
     "vtkTable", "vtkPolyData" };
+  if (port == 3)
+  {
+    QuadBoundary::Declare(info, 5);
+  }
   return FilterPorts::Produce(info, types[port]);
 }
 
@@ -304,7 +309,8 @@ int vtkLayoutDesigner::RequestData(
         this->OutputRows->InsertNextTuple(row.data());
       }
       outputs.Write(*this->Session, update, input.plane,
-        { {}, request.quadSize, this->Merge == vtkQuadMesher::MergeNone });
+        { {}, request.quadSize, this->Merge == vtkQuadMesher::MergeNone,
+          this->Quads != QuadsSmooth || this->Dragging });
     },
     [&](const char* message)
     {

@@ -29,8 +29,9 @@
  * MergeClean.
  * Output port 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
  * Output port 4 (vtkTable): the column `Summary` with one row, the field data `Summary` in lines of
- * at most 60 characters, for a view. Its field data `Alarm` (int) is 1 if it reports an error; the
- * others are the report of vtkQuadMesher on the quads of output 3.
+ * at most 60 characters, for a view. Its field data `Alarm` (int) is 1 if it reports an error or
+ * warns of bad quads, unless they are drafts; the others are the report of vtkQuadMesher on the
+ * quads of output 3.
  * Output port 5 (vtkPolyData): the boundary edges of the quads, as output 5 of vtkQuadMesher.
  *
  * A configuration without a layout, for example one with a wrong sum of quarter indices or with a

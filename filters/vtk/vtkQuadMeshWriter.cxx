@@ -7,13 +7,13 @@
 #include "FilterRun.h"
 #include "HigherOrderConversion.h"
 #include "MeshFormats.h"
+#include "QuadBoundary.h"
 #include "TextFile.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridWriter.h"
 
@@ -105,14 +105,12 @@ std::string vtkQuadMeshWriter::ReasonAgainst(const std::string& fileName, int or
 void vtkQuadMeshWriter::WriteData()
 {
   auto* input = vtkUnstructuredGrid::SafeDownCast(this->GetInput(0));
-  auto* boundary = vtkPolyData::SafeDownCast(
-    this->GetNumberOfInputConnections(1) > 0 ? this->GetInput(1) : nullptr);
   this->OutputFiles.clear();
   const FilterRun::Outcome outcome = FilterRun::Try(this,
     [&](const crossfield::Progress& progress)
     {
       vtkNew<vtkUnstructuredGrid> mesh;
-      HigherOrderConversion::Join(input, boundary, mesh);
+      HigherOrderConversion::Join(input, QuadBoundary::Find(this), mesh);
       progress.Report(0.1);
       std::vector<crossfield::FileText> files = FilesOf(mesh, this->FileName, this->MshVersion);
       progress.Report(0.8);

@@ -3,7 +3,7 @@
  * @brief   writes quads or hexahedra with the names of their sides to files of solvers
  *
  * The ending of the file gives the format, in any case:
- * - .msh: Gmsh 4.1 or 2.2 with a physical group for each side and one, domain, for the quads; orders 1 to 3
+ * - .msh: Gmsh 4.1 or 2.2 (.msh2: 2.2) with a physical group for each side and one, domain, for the quads; orders 1 to 3
  * - .inp: Abaqus and CalculiX, with sets and a surface for each side; CPS4, or CPS8 without the nodes
  *   inside; orders 1 and 2
  * - .su2: SU2 with a marker for each side; order 1
@@ -24,7 +24,7 @@
  * Input port 0 (vtkUnstructuredGrid): quads and lines of one order, with the string array `Side` on the
  * lines: vtkQuadMesher::CopyMesh, vtkQuadsToHigherOrder or a .vtu file of `crossfield quads`; or output 0 of
  * vtkQuadMesher. Input port 1, optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no
- * lines.
+ * lines; without a connection, those of the vtkQuadMesher upstream whose points and cells port 0 has.
  *
  * If the writer fails, it sets an error code, and old files stay as they are. It fails if the
  * ending is unknown, the format cannot have the mesh, edges of the boundary are missing, or the file cannot be

@@ -11,6 +11,7 @@
 #include "HolonomyConversion.h"
 #include "LayerText.h"
 #include "PeriodicConversion.h"
+#include "QuadBoundary.h"
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "QuadWorkflow.h"
@@ -36,6 +37,7 @@ vtkStandardNewMacro(vtkQuadMesher);
 
 namespace
 {
+constexpr int BoundaryPort = 5;
 constexpr int SummaryPort = 8;
 }
 
@@ -55,6 +57,10 @@ int vtkQuadMesher::FillInputPortInformation(int port, vtkInformation* info)
 //------------------------------------------------------------------------------
 int vtkQuadMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 0)
+  {
+    QuadBoundary::Declare(info, BoundaryPort);
+  }
   return FilterPorts::Produce(info,
     port == 0               ? "vtkUnstructuredGrid"
       : port == 1           ? "vtkMultiBlockDataSet"
@@ -148,8 +154,9 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   }
   CornerConversion::WriteChoices(result.corners, plane, vtkPolyData::GetData(outputVector, 4));
   QuadConversion::WriteBoundary(
-    mesh, result.boundary, plane, vtkPolyData::GetData(outputVector, 5));
-  PeriodicConversion::Write(result, plane, vtkPolyData::GetData(outputVector, 5)->GetFieldData());
+    mesh, result.boundary, plane, vtkPolyData::GetData(outputVector, BoundaryPort));
+  PeriodicConversion::Write(
+    result, plane, vtkPolyData::GetData(outputVector, BoundaryPort)->GetFieldData());
   QuadConversion::WriteIrregularNodes(mesh, plane, vtkPolyData::GetData(outputVector, 6));
   QuadConversion::WriteSeparatrices(result.quads, plane, vtkPolyData::GetData(outputVector, 7));
   this->WriteSummary(result, plane, vtkTable::GetData(outputVector, SummaryPort));
@@ -180,17 +187,19 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   EnergyConversion::WriteEvents(result.events, summary);
   EnergyConversion::WriteWarnings(result.warnings, summary);
   ViewText::Write(vtkCrossFieldArrayNames::Summary,
-    ViewText::WrapLines(QuadReport::Summary(result)), result.quads.quality.inverted > 0, summary);
+    ViewText::WrapLines(QuadReport::Summary(result)),
+    result.quads.quality.inverted > 0 || !result.warnings.empty(), summary);
 }
 
 //------------------------------------------------------------------------------
 void vtkQuadMesher::CopyMesh(vtkUnstructuredGrid* mesh)
 {
   QuadConversion::Combine(
-    this->GetOutput(), vtkPolyData::SafeDownCast(this->GetOutputDataObject(5)), mesh);
+    this->GetOutput(), vtkPolyData::SafeDownCast(this->GetOutputDataObject(BoundaryPort)), mesh);
   mesh->GetFieldData()->DeepCopy(this->GetOutputDataObject(SummaryPort)->GetFieldData());
   mesh->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::Alarm);
-  SegmentCurveConversion::CopyCurves(vtkPolyData::SafeDownCast(this->GetOutputDataObject(5)), mesh);
+  SegmentCurveConversion::CopyCurves(
+    vtkPolyData::SafeDownCast(this->GetOutputDataObject(BoundaryPort)), mesh);
 }
 
 //------------------------------------------------------------------------------

@@ -52,8 +52,9 @@
  * polyline per arc with the cell array `Edges` (int): quads along each, possibly 0.
  *
  * Output 8 (vtkTable): the column `Summary` with one row, a text for a view in lines of at most 60
- * characters: numbers of quads, blocks and irregular nodes, quality and inverted quads, or after a
- * failure the message. Its field data `Alarm` (int) is 1 after a failure and if quads are inverted.
+ * characters: numbers of quads, blocks and irregular nodes, quality, inverted quads and warnings, or
+ * after a failure the message. Its field data `Alarm` (int) is 1 after a failure, with inverted quads
+ * and with warnings.
  * Its other field data are the report of the mesh: `Quads`, `Blocks`,
  * `BlocksUnmerged`, `BlocksClean` and `BlocksCoarse` (number of blocks with each kind of Merge, as
  * far as it was computed), `IrregularValence`, `IrregularObtained`, `IrregularRequested` (numbers of

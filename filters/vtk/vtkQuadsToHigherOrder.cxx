@@ -3,12 +3,12 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HigherOrderConversion.h"
+#include "QuadBoundary.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <string>
@@ -32,12 +32,11 @@ int vtkQuadsToHigherOrder::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkPolyData* boundary = vtkPolyData::GetData(inputVector[1]);
   return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
     {
       vtkNew<vtkUnstructuredGrid> mesh;
-      HigherOrderConversion::Join(input, boundary, mesh);
+      HigherOrderConversion::Join(input, QuadBoundary::Find(this), mesh);
       progress.Report(0.1);
       const HigherOrderConversion::Quads quads = HigherOrderConversion::ReadQuads(mesh);
       if (this->Order == 1)

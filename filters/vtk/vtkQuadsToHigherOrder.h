@@ -11,7 +11,8 @@
  * edges, as in the .vtu files of `crossfield quads` and vtkQuadMesher::CopyMesh, or output 0 of
  * vtkQuadMesher. Cell array `Curve` of the lines and field data `CurveKind`, `CurveOffset` and
  * `CurveValues`: the curves (docs/curves.md); without them, the edges are straight. Input port 1,
- * optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no lines.
+ * optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no lines; without a connection,
+ * those of the vtkQuadMesher upstream whose points and cells port 0 has.
  *
  * Output port 0 (vtkUnstructuredGrid): VTK_BIQUADRATIC_QUAD or VTK_LAGRANGE_QUADRILATERAL cells
  * and VTK_QUADRATIC_EDGE or VTK_LAGRANGE_CURVE cells in the order of the input's cells, with their

@@ -1,5 +1,7 @@
 #include "RunAbort.h"
 
+#include "ViewSources.h"
+
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
 #include "pqProgressManager.h"
@@ -10,7 +12,6 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkNew.h"
 #include "vtkPVVersion.h"
-#include "vtkPVXMLElement.h"
 #include "vtkSMSourceProxy.h"
 
 #include <QApplication>
@@ -19,22 +20,12 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <memory>
 
 namespace
 {
 int Suspensions = 0;
-
-/** Returns whether a proxy is one of this plugin: it has one of its icons. */
-bool IsOwn(vtkSMProxy* proxy)
-{
-  vtkPVXMLElement* hints = proxy->GetHints();
-  vtkPVXMLElement* menu = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
-  const char* icon = menu ? menu->GetAttribute("icon") : nullptr;
-  return icon && std::strncmp(icon, ":/CrossField/", 13) == 0;
-}
 
 /** Returns the time of the last change of an algorithm or of its inputs. */
 vtkMTimeType PipelineTime(vtkAlgorithm* algorithm)
@@ -161,7 +152,7 @@ void RunAbort::shutdown()
 void RunAbort::Observe(pqPipelineSource* source)
 {
   auto* algorithm = vtkAlgorithm::SafeDownCast(source->getProxy()->GetClientSideObject());
-  if (!algorithm || source->getServer()->isRemote() || !IsOwn(source->getProxy()))
+  if (!algorithm || source->getServer()->isRemote() || !ViewSources::IsOwn(source->getProxy()))
   {
     return;
   }

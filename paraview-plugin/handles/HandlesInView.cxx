@@ -3,6 +3,7 @@
 #include "pqSingularityHandlesWidget.h"
 
 #include "RunAbort.h"
+#include "ViewMessages.h"
 #include "ViewSources.h"
 
 #include "pqApplicationCore.h"
@@ -79,6 +80,7 @@ public:
 
 private:
   vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
+  ViewMessages::Suspension Own;
 };
 }
 
@@ -125,6 +127,7 @@ void pqSingularityHandlesWidget::setView(pqView* view)
 void pqSingularityHandlesWidget::showEvent(QShowEvent* event)
 {
   pqPropertyWidget::showEvent(event);
+  this->FollowCommands();
   this->UpdateHandles();
 }
 

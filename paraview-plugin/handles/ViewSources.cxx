@@ -9,9 +9,11 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMProxy.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace
 {
@@ -77,6 +79,15 @@ bool IsConnected(vtkSMProxy* proxy, pqView* view)
   return std::any_of(downstream.begin(), downstream.end(),
     [&](const pqPipelineSource* one)
     { return std::find(visible.begin(), visible.end(), one) != visible.end(); });
+}
+
+//------------------------------------------------------------------------------
+bool IsOwn(vtkSMProxy* proxy)
+{
+  vtkPVXMLElement* hints = proxy->GetHints();
+  vtkPVXMLElement* menu = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
+  const char* icon = menu ? menu->GetAttribute("icon") : nullptr;
+  return icon && std::strncmp(icon, ":/CrossField/", 13) == 0;
 }
 
 //------------------------------------------------------------------------------

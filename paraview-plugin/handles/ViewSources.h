@@ -16,6 +16,8 @@ std::vector<pqPipelineSource*> Visible(pqView* view);
 bool IsConnected(vtkSMProxy* proxy, pqView* view);
 /** Returns a source and all filters downstream of it. */
 std::vector<const pqPipelineSource*> WithDownstream(const pqPipelineSource* source);
+/** Returns whether a proxy is one of this plugin: it has one of its icons. */
+bool IsOwn(vtkSMProxy* proxy);
 /** Returns whether a visible source has failed or has the result of an earlier input. */
 bool HasStale(pqView* view);
 }

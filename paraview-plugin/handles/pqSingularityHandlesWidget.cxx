@@ -3,6 +3,7 @@
 #include "SingularityTable.h"
 
 #include "pqApplicationCore.h"
+#include "pqCommandButtonPropertyWidget.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 //------------------------------------------------------------------------------
 pqSingularityHandlesWidget::pqSingularityHandlesWidget(
@@ -192,6 +194,30 @@ void pqSingularityHandlesWidget::ScheduleReadOutput()
 }
 
 //------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::FollowCommands()
+{
+  // A command changes no property, so its button is the only sign of it.
+  for (const auto* command : this->window()->findChildren<pqCommandButtonPropertyWidget*>())
+  {
+    for (const auto* button : command->findChildren<QPushButton*>())
+    {
+      if (command->proxy() == this->proxy())
+      {
+        QObject::connect(button, &QPushButton::clicked, this,
+          &pqSingularityHandlesWidget::NoteCommand, Qt::UniqueConnection);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::NoteCommand()
+{
+  // Desktops add keyboard accelerators, marked by &.
+  this->Command = qobject_cast<QPushButton*>(this->sender())->text().remove("&");
+}
+
+//------------------------------------------------------------------------------
 void pqSingularityHandlesWidget::ReadPlane()
 {
   if (!this->Plane)
@@ -224,13 +250,15 @@ void pqSingularityHandlesWidget::ReadOutput()
   const std::vector<SingularityRow> rows =
     RowsOf(vtkSMPropertyHelper(this->OutputRows).GetDoubleArray());
   const std::vector<SingularityRow> before = this->PropertyRows();
-  if (this->AreRowsComputed())
+  const QString command = std::exchange(this->Command, QString());
+  const bool isComputed = this->AreRowsComputed();
+  if (isComputed && (command.isEmpty() || rows.empty() || HaveSamePositions(rows, this->Rows)))
   {
     this->AdoptRows(rows);
   }
   else if (!this->Domain && !rows.empty() && !HaveSamePositions(rows, before))
   {
-    this->Commit(before, rows, "Move Singularities");
+    this->Commit(before, rows, command.isEmpty() ? "Move Singularities" : command);
   }
 }
 

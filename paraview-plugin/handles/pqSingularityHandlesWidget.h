@@ -11,8 +11,8 @@
  *
  * A filter that computes or moves rows itself has an information property with the function `Rows`,
  * the rows of its last update. They are shown if the property of rows is empty, and become its
- * value after a command of the filter has changed them, so that undo, trace and states include
- * them.
+ * value after a command of the filter, a property with panel_widget="command_button", has changed
+ * them, so that undo, trace and states include them. This is one undo step with the command's name.
  *
  * A proxy that fits its default rows to a domain has the hint <RowsFitDomain property="Domain"/> of
  * the group, with the name of the input. The rows of its last update are shown while the domain is
@@ -48,6 +48,7 @@
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
+#include <QString>
 #include <QTimer>
 
 #include <vector>
@@ -86,12 +87,14 @@ protected:
 private Q_SLOTS:
   void ReadProperty();
   void ScheduleReadOutput();
+  void NoteCommand();
 
 private:
   Q_DISABLE_COPY(pqSingularityHandlesWidget)
 
   void MakePanel(bool hasRadius);
   void FollowPipeline();
+  void FollowCommands();
 
   // Rows.
   std::vector<SingularityRow> PropertyRows() const;
@@ -132,6 +135,7 @@ private:
   int Chosen = -1;
   bool IsWriting = false;
   int Changes = 0; ///< Number of changes of the property.
+  QString Command; ///< Name of the command that was run since the output was read last.
 
   SingularityHandles Handles;
   StalePicture Picture;

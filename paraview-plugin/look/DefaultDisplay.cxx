@@ -100,13 +100,6 @@ void ShowQuads(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
-void ShowCurvedQuads(vtkSMProxy* shown)
-{
-  ShowQuads(shown);
-  Set(shown, "NonlinearSubdivisionLevel", 3); // one level draws each half of an edge straight
-}
-
-//------------------------------------------------------------------------------
 void SetBlockColours(vtkSMProxy* shown)
 {
   Look::SetColourMap(shown, "BlockId", Look::PaleColours());
@@ -154,7 +147,8 @@ constexpr std::array<Rule, 26> Rules = { {
   { "QuadMesher", 5, Hide<ShowOutline> },
   { "QuadMesher", 6, Look::ShowSingularities, Look::SetSingularityColours },
   { "QuadMesher", 7, Hide<ShowLines> },
-  { "QuadsToHigherOrder", 0, ShowCurvedQuads, SetBlockColours },
+  // ParaView 5.11 crashes if edges of order 2 have a Nonlinear Subdivision Level above 1.
+  { "QuadsToHigherOrder", 0, ShowQuads, SetBlockColours },
   { "ExtrudeQuads", 0, ShowQuads, SetBlockColours },
   { "ExtrudeQuads", 1, Hide<ShowQuads>, SetBlockColours },
 } };

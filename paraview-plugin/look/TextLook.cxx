@@ -3,6 +3,7 @@
 #include "Look.h"
 
 #include "pqDataRepresentation.h"
+#include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -21,8 +22,10 @@
 #include "vtkWeakPointer.h"
 
 #include <QTimer>
+#include <QWidget>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <utility>
@@ -36,15 +39,15 @@ vtkAlgorithm* AlgorithmOf(vtkSMProxy* proxy)
   return vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
 }
 
-bool IsAlarm(pqPipelineSource* source, int port)
+bool IsAlarm(const pqPipelineSource* source, int port)
 {
   if (vtkAlgorithm* algorithm = AlgorithmOf(source->getProxy()))
   {
     vtkDataArray* alarm = algorithm->GetOutputDataObject(port)->GetFieldData()->GetArray("Alarm");
     return alarm && alarm->GetTuple1(0) > 0;
   }
-  const vtkPVDataInformation* data =
-    source->getSourceProxy()->GetDataInformation(static_cast<unsigned int>(port));
+  const vtkPVDataInformation* data = vtkSMSourceProxy::SafeDownCast(source->getProxy())
+                                       ->GetDataInformation(static_cast<unsigned int>(port));
   vtkPVArrayInformation* alarm = data->GetArrayInformation("Alarm", vtkDataObject::FIELD);
   return alarm && alarm->GetComponentRange(0)[1] > 0;
 }
@@ -140,9 +143,11 @@ void FindPlace(pqDataRepresentation* representation)
   }
 }
 
-void Paint(pqDataRepresentation* representation, const Colour& colour)
+/** Shows a text as an alarm, or in a colour without a backdrop. */
+void Paint(pqDataRepresentation* representation, bool isAlarm, const Colour& plain)
 {
   vtkSMProxy* shown = representation->getProxy();
+  const Colour& colour = isAlarm ? Look::Red : plain;
   Colour now;
   vtkSMPropertyHelper(shown, "Color").Get(now.data(), 3);
   if (now == colour)
@@ -152,6 +157,14 @@ void Paint(pqDataRepresentation* representation, const Colour& colour)
   // The colour belongs to the text and is not an undo step of its own.
   SCOPED_UNDO_EXCLUDE();
   vtkSMPropertyHelper(shown, "Color").Set(colour.data(), 3);
+  if (shown->GetProperty("BackgroundColor"))
+  {
+    // ParaView draws the background with the border only, whose thickness is 0 by default.
+    constexpr std::array<double, 4> White = { 1, 1, 1, 1 };
+    vtkSMPropertyHelper(shown, "BackgroundColor").Set(White.data(), 4);
+    vtkSMPropertyHelper(shown, "ShowBorder").Set(isAlarm ? "Always" : "Never");
+    Look::Set(shown, "Padding", 5.0);
+  }
   shown->UpdateVTKObjects();
   representation->renderViewEventually();
 }
@@ -178,6 +191,25 @@ void TextLook::Show(
       const Colour plain = PlainColour(representation);
       new Painter(source->getProxy(), representation,
         [source, representation, port, plain]
-        { Paint(representation, IsAlarm(source, port) ? Look::Red : plain); });
+        { Paint(representation, IsAlarm(source, port), plain); });
     });
+}
+
+//------------------------------------------------------------------------------
+bool TextLook::ReportsProblem(const pqPipelineSource* source)
+{
+  for (int port = 0; port < source->getNumberOfOutputPorts(); ++port)
+  {
+    for (const pqDataRepresentation* shown : source->getOutputPort(port)->getRepresentations(nullptr))
+    {
+      pqView* view = shown->getView();
+      if (view && view->widget() && view->widget()->isVisible() && shown->isVisible() &&
+        shown->getProxy()->GetProperty("WindowLocation"))
+      {
+        vtkSMSourceProxy::SafeDownCast(source->getProxy())->UpdatePipeline(); // as the next render does
+        return IsAlarm(source, port);
+      }
+    }
+  }
+  return false;
 }

@@ -1,6 +1,6 @@
 /**
  * Default display of a text that a filter writes for the view: black or white, in contrast to the
- * background, and red while its field data `Alarm` is 1.
+ * background, and red on white while its field data `Alarm` is 1, which is readable on any background.
  */
 
 #ifndef TextLook_h
@@ -17,6 +17,9 @@ namespace TextLook
  */
 void Show(
   pqPipelineSource* source, pqDataRepresentation* representation, int port, const char* location);
+
+/** Returns whether a source has a text in a visible view that reports a problem: `Alarm` is 1. */
+bool ReportsProblem(const pqPipelineSource* source);
 }
 
 #endif

@@ -189,11 +189,16 @@ extern "C"
   }
 
   /**
-   * Saves data with File > Save Data: types the file name, and selects a choice of a property in
-   * the options.
+   * Saves data with File > Save Data: types the file name and, unless `property` is null, selects a
+   * choice of a property in the options.
    */
   bool gui_save(const char* file, const char* property, const char* choice)
   {
+    if (!property)
+    {
+      return GuiDialogs::Run(
+        "actionFileSaveData", { GuiDialogs::TypeFile(QString::fromUtf8(file)) });
+    }
     const GuiDialogs::Response choose = { "pqProxyWidgetDialog",
       [property, choice](QWidget* dialog)
       {
@@ -298,6 +303,35 @@ extern "C"
     text = Messages.toUtf8();
     Messages.clear();
     return text.constData();
+  }
+
+  /** Returns all texts of the window Output Messages, which may be closed. */
+  const char* gui_log()
+  {
+    static QByteArray text;
+    QString found;
+    for (pqOutputWidget* window : pqCoreUtilities::mainWidget()->findChildren<pqOutputWidget*>())
+    {
+      for (QTreeView* tree : window->findChildren<QTreeView*>())
+      {
+        for (int row = 0; row < tree->model()->rowCount(); ++row)
+        {
+          for (int column = 0; column < tree->model()->columnCount(); ++column)
+          {
+            found += tree->model()->index(row, column).data().toString() + "\n";
+          }
+        }
+      }
+    }
+    text = found.toUtf8();
+    return text.constData();
+  }
+
+  /** Reports whether the window Output Messages is visible. */
+  bool gui_log_is_open()
+  {
+    auto* window = FindVisible<pqOutputWidget>("");
+    return window != nullptr;
   }
 
   /** Clicks the last item of a name in the Pipeline Browser, for example an output. */

@@ -11,9 +11,9 @@ from paraview import simple
 gui = ctypes.PyDLL(os.environ["GUI_DRIVER"])
 gui.gui_time_of_move.restype = gui.gui_number.restype = ctypes.c_double
 gui.gui_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
-for function in gui.gui_help, gui.gui_undo_label, gui.gui_messages, gui.gui_label:
+for function in gui.gui_help, gui.gui_undo_label, gui.gui_messages, gui.gui_label, gui.gui_log:
     function.restype = ctypes.c_char_p
-for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_select_choice, gui.gui_abort_enabled:
+for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_select_choice, gui.gui_abort_enabled, gui.gui_log_is_open:
     function.restype = ctypes.c_bool
 gui.gui_listen()
 
@@ -37,8 +37,14 @@ def picture(name, is_whole_window=True):
 
 
 def messages():
-    """Returns the warnings and errors that the client has shown since the last call."""
+    """Returns the warnings and errors for which the client has opened the window Output Messages since
+    the last call; those that a text in the view reports are not among them."""
     return gui.gui_messages().decode()
+
+
+def log():
+    """Returns all messages in the window Output Messages, shown or not."""
+    return gui.gui_log().decode()
 
 
 def pixel(view, x, y, z=0):

@@ -146,6 +146,73 @@ def test_merged_blocks(view):
     check_equal(list(designer.Singularities), rows, "the rows")
 
 
+def check_undo_of(command, designer):
+    """Checks that a command, a button, is one step of undo and redo while rows are computed."""
+    start = handles(designer).copy()
+    check_equal((list(designer.Singularities), gui.gui_rows()), ([], len(start)), "rows of the property and the table")
+    check(gui.gui_click(command), "no button")
+    wait(800)
+    moved = handles(designer).copy()
+    check(abs(moved - start).max() > 1e-3, "%s has moved nothing" % command)
+    check_equal(gui.gui_undo_label(), command, "what would be undone")
+    check(abs(np.reshape(list(designer.Singularities), (-1, 4))[:, :2] - moved).max() < 1e-9, "the property after %s" % command)
+    gui.gui_undo()
+    wait(800)
+    check_equal((list(designer.Singularities), gui.gui_rows()), ([], len(start)), "rows after undo of %s" % command)
+    check(abs(handles(designer) - start).max() < 1e-9, "the handles after undo of %s" % command)
+    gui.gui_redo()
+    wait(800)
+    check(abs(handles(designer) - moved).max() < 1e-9, "the handles after redo of %s" % command)
+    gui.gui_undo()
+    wait(800)
+
+
+def test_undo_of_commands(view):
+    """Each command is one undo step, also while the rows are those that were chosen."""
+    domain = plate()
+    designer = make(domain)
+    # A command that changes nothing is no step.
+    before = gui.gui_undo_label()
+    check(gui.gui_click(b"Propose"), "no button Propose")
+    wait(500)
+    check_equal((list(designer.Singularities), gui.gui_undo_label()), ([], before), "rows and undo step after Propose")
+    designer.SnapTolerance = 0.3
+    designer.UpdateVTKObjects()
+    check_undo_of(b"Snap", designer)
+    # The rows still follow the domain.
+    count = gui.gui_rows()
+    domain.Input = domain.Input[:-1]
+    Render()
+    wait(800)
+    check_equal(list(designer.Singularities), [], "the property after a change of the domain")
+    check(0 < gui.gui_rows() < count, "%d rows after a hole is removed, %d before" % (gui.gui_rows(), count))
+
+
+def test_undo_with_a_start(view):
+    designer = make(PlanarDomainSource())
+    designer.StartFrom = SingularitySource(Singularities=[0.5, 0.35, 1, 0.1, -0.4, 0.4, 1, 0.1, -0.4, -0.4, 1, 0.1, 0.4, -0.4, 1, 0.1])
+    SetActiveSource(designer)
+    Render()
+    wait(500)
+    for command in b"Snap", b"Optimise":
+        designer.SnapTolerance = 0.2
+        check_undo_of(command, designer)
+    # Two commands are two steps.
+    start = handles(designer).copy()
+    for command in b"Optimise", b"Propose", b"Snap":
+        check(gui.gui_click(command), "no button")
+        wait(800)
+        if command == b"Optimise":
+            optimised = handles(designer).copy()
+    while gui.gui_undo_label() != b"Optimise":
+        gui.gui_undo()
+        wait(800)
+    check(abs(handles(designer) - optimised).max() < 1e-9, "the handles after undo of all but Optimise")
+    gui.gui_undo()
+    wait(800)
+    check(abs(handles(designer) - start).max() < 1e-9, "the handles after undo of all")
+
+
 def in_new_session(test):
     ResetSession()
     wait(300)

@@ -1,7 +1,8 @@
-"""Texts of filters in the view: black, or red if something is wrong; started by run_client.py."""
+"""Texts of filters in the view: black, or red on white if something is wrong, in which case the window
+Output Messages stays closed; started by run_client.py."""
 from paraview.simple import *
 
-from gui_driver import check, check_equal, gui, messages, picture, run, wait
+from gui_driver import check, check_equal, gui, log, messages, picture, run, wait
 
 BLACK, RED = [0, 0, 0], [0.85, 0.1, 0.1]
 # The polygon of docs/tutorial_paraview.md.
@@ -15,7 +16,25 @@ def drawn(where):
              if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility and shown.WindowLocation == where]
     check_equal(len(found), 1, "texts in the view at " + where)
     text = found[0].GetClientSideObject().GetTextWidgetRepresentation().GetRepresentation().GetText()
-    return " ".join(text.splitlines()), [round(number, 6) for number in found[0].Color]
+    colour = [round(number, 6) for number in found[0].Color]
+    has_backdrop = found[0].ShowBorder == "Always" and list(found[0].BackgroundColor) == [1, 1, 1, 1]
+    check_equal(has_backdrop, colour == RED, "whether the text has a white backdrop")
+    return " ".join(text.splitlines()), colour
+
+
+def check_reported(word):
+    """Checks that a message was added to the closed window Output Messages."""
+    check_equal(messages(), "", "messages that open the window, although the view has them")
+    check(not gui.gui_log_is_open(), "the window Output Messages is open")
+    check(word in log(), "there is no message with the word %s: %s" % (word, log()))
+
+
+def contrast(colour, other):
+    """Returns the ratio of the brightness of two colours, as WCAG 2 defines it."""
+    def brightness(rgb):
+        return sum(weight * (c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4)
+                   for weight, c in zip((0.2126, 0.7152, 0.0722), rgb)) + 0.05
+    return max(brightness(colour), brightness(other)) / min(brightness(colour), brightness(other))
 
 
 def apply():
@@ -46,7 +65,7 @@ def test_field(domain, points):
     text, colour = drawn("Lower Center")
     check("4 unwanted singularities" in text and "Unit Norm" in text, "the text of Constrained: " + text)
     check_equal(colour, RED, "the colour of unwanted singularities")
-    check("unwanted" in messages(), "there is no warning")
+    check_reported("unwanted")
     # Fetch would add an undo step.
     report = field.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
     check_equal(report.GetArray("UnwantedSingularities").GetValue(0), 4, "unwanted singularities, as the tutorial says")
@@ -62,7 +81,7 @@ def test_field(domain, points):
     wait(400)
     text, colour = drawn("Lower Center")
     check("4" in text and colour == RED, "the text where the sum is wrong: %s %s" % (text, colour))
-    check(messages() != "", "no message of a wrong sum")
+    check_reported("4")
     picture("no_field.png", is_whole_window=False)
 
 
@@ -106,7 +125,7 @@ def test_designer(domain, points):
     text, colour = drawn("Lower Center")
     check("open" in text and colour == RED, "the summary without a domain: %s %s" % (text, colour))
     check_equal(gui.gui_rows(), 0, "rows of the table without a domain")
-    check("open" in messages(), "no message of an open curve")
+    check_reported("open")
     picture("no_domain.png", is_whole_window=False)
     domain.Closed = 1
     Render()
@@ -131,8 +150,37 @@ def test_quads(domain, points):
     wait(400)
     text, colour = drawn("Lower Center")
     check("add up to 5" in text and colour == RED, "the text on a wrong sum: %s %s" % (text, colour))
-    check("add up to 5" in messages(), "no message of a wrong sum")
+    check_reported("add up to 5")
     picture("no_quads.png", is_whole_window=False)
+    # Readable on any background.
+    check(contrast(RED, [1, 1, 1]) >= 4.5, "the contrast of alarms: %g" % contrast(RED, [1, 1, 1]))
+    view = GetActiveView()
+    for name, usePalette, colour in ("default", 1, [0.32, 0.34, 0.43]), ("black", 0, [0, 0, 0]):
+        SetProperties(view, UseColorPaletteForBackground=usePalette, Background=colour)
+        Render()
+        picture("no_quads_%s.png" % name, is_whole_window=False)
+    # Without the text in the view, the window opens.
+    Hide(OutputPort(mesher, 8))
+    points.Singularities = [0.5, 0, 1, 0.1, -0.5, 0, 1, 0.1]
+    Render()
+    wait(400)
+    check("add up to 2" in messages(), "no message without a text in the view")
+    picture("no_text.png")
+
+
+def test_bad_quad(domain, points):
+    """A warning about a bad quad is in the text, which is red."""
+    domain.Points = [0, 0, 0, 4, 0, 0, 0.3, 0.2, 0, 0, 4, 0]  # sharp ends
+    points.Singularities = []
+    Render()
+    SetActiveSource(domain)
+    make("Quad Mesher")
+    text, colour = drawn("Lower Center")
+    check("The worst quad, near (" in text and colour == RED, "the text on a bad quad: %s %s" % (text, colour))
+    check_reported("The worst quad")
+    numbers = text.split("near (")[1].split(")")[0].split(", ")
+    check(all(len(number.lstrip("-0.")) <= 5 for number in numbers), "coordinates: %s" % numbers)
+    picture("bad_quad.png", is_whole_window=False)
 
 
 def test_designer_of_no_domain(domain, points):
@@ -143,7 +191,7 @@ def test_designer_of_no_domain(domain, points):
     make("Layout Designer")
     text, colour = drawn("Lower Center")
     check("open" in text and colour == RED, "the summary without a domain: %s %s" % (text, colour))
-    check(messages() != "", "no message")
+    check_reported("open")
     picture("never_a_domain.png", is_whole_window=False)
     domain.Closed = 1
     Render()

@@ -32,9 +32,33 @@ def test_save_data_for_solvers():
                 text = file.read()
             check(text.startswith(begin), "the format of %s" % name)
             check("outer0" in text, "the side in %s" % name)
+        # One step, without Quads To Higher Order, and behind filters that only add arrays.
+        calculator = Calculator(Input=mesher, ResultArrayName="x", Function="coordsX")
+        for proxy, name in ((mesher, "b.msh"), (mesher, "b.inp"), (mesher, "b.su2"), (mesher, "b.exo"), (mesher, "b/b.foam"),
+                            (calculator, "c.su2"), (QuadsToHigherOrder(Input=mesher), "d.msh"),
+                            (ExtrudeQuads(Input=calculator), "e.su2"), (OutputPort(LayoutDesigner(Input=PlanarDomainSource()), 3), "f.su2")):
+            os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
+            SaveData(os.path.join(folder, name), proxy=proxy)
+            with open(os.path.join(folder, name.replace("b.foam", "constant/polyMesh/boundary")), "rb") as file:
+                check(b"outer0" in file.read(), "the side in %s" % name)
         SaveData(os.path.join(folder, "b.msh"), proxy=joined, MshVersion="2.2")
         with open(os.path.join(folder, "b.msh"), encoding="utf-8") as file:
             check(file.read().startswith("$MeshFormat\n2.2 "), "the version")
+
+
+def test_save_data_behind_a_transform():
+    """Quads whose points have changed are refused, and the remedy of the message works."""
+    mesher = QuadMesher(Input=PlanarDomainSource(), QuadCount=100)
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "a.su2")
+        try:
+            SaveData(file, proxy=Transform(Input=mesher))
+        except RuntimeError:
+            pass
+        check(not os.path.exists(file), "a file without sides")
+        SaveData(file, proxy=Transform(Input=QuadsToHigherOrder(Input=mesher, Order=1)))
+        with open(file, encoding="utf-8") as text:
+            check("outer0" in text.read(), "the side after the remedy")
 
 
 def test_periodic_sides():
@@ -54,7 +78,7 @@ def test_periodic_sides():
 
 def test_extruded_quads():
     mesher = QuadMesher(Input=PlanarDomainSource(), QuadCount=100)
-    solid = ExtrudeQuads(Input=mesher, Boundary=OutputPort(mesher, 5), Height=0.5, Layers=3)
+    solid = ExtrudeQuads(Input=mesher, Height=0.5, Layers=3)
     quads = fetch(mesher).GetNumberOfCells()
     check_equal(value(fetch(solid), "Hexahedra"), 3 * quads, "hexahedra")
     check_equal(servermanager.Fetch(solid, idx=1).GetNumberOfBlocks(),
@@ -247,6 +271,6 @@ def test_quad_mesher_outputs():
         check(math.dist(given.GetPoint(i), quads.GetPoint(i)) < 1e-9, "point %d is elsewhere" % i)
 
 
-run_tests(test_h_field, test_save_data_for_solvers, test_extruded_quads, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
+run_tests(test_h_field, test_save_data_for_solvers, test_save_data_behind_a_transform, test_periodic_sides, test_extruded_quads, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
           test_energies, test_size_arrays, test_quad_mesher_for_a_first_user,
           test_sides, test_quad_mesher_outputs)

@@ -2,16 +2,20 @@
 
 #include "support/FilterChecks.h"
 #include "support/TestInputs.h"
+#include "vtkLayoutDesigner.h"
 #include "vtkQuadMeshWriter.h"
 #include "vtkQuadMesher.h"
 #include "vtkQuadsToHigherOrder.h"
 
 #include "vtkCellData.h"
+#include "vtkElevationFilter.h"
 #include "vtkErrorCode.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkTransform.h"
+#include "vtkTransformFilter.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -110,6 +114,54 @@ TEST_F(QuadMeshWriter, TwoOutputsAndOneGridGiveTheSameFiles)
   EXPECT_EQ(this->Files(), 3U) << "no temporary files";
 }
 
+TEST_F(QuadMeshWriter, FindsTheBoundaryEdgesUpstream)
+{
+  const auto write = [this](vtkAlgorithm* source, int port = 0)
+  {
+    vtkNew<vtkQuadMeshWriter> writer;
+    writer->SetInputConnection(source->GetOutputPort(port));
+    writer->SetFileName(this->File("a.su2"));
+    EXPECT_EQ(writer->Write(), 1);
+    std::ifstream file(this->File("a.su2"), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string joined = this->Write(this->Mesh, "b.su2");
+  EXPECT_EQ(write(this->Mesher), joined);
+  // Behind filters that only add arrays.
+  vtkNew<vtkElevationFilter> elevation;
+  elevation->SetInputConnection(this->Mesher->GetOutputPort());
+  EXPECT_EQ(write(elevation), joined);
+  // Of the present mesh.
+  this->Mesher->SetQuadCount(200);
+  const std::string finer = write(elevation);
+  EXPECT_NE(finer, joined);
+  vtkNew<vtkQuadsToHigherOrder> first;
+  first->SetInputConnection(this->Mesher->GetOutputPort());
+  first->SetOrder(1);
+  EXPECT_EQ(write(first), finer);
+
+  vtkNew<vtkLayoutDesigner> designer;
+  designer->SetInputData(this->Mesher->GetInputDataObject(0, 0));
+  EXPECT_GT(CountOf(write(designer, 3), "MARKER_TAG="), 4);
+
+  // Where the points differ, they are not found; the remedy of the message works.
+  vtkNew<vtkTransform> transform;
+  transform->Scale(2.0, 2.0, 1.0);
+  vtkNew<vtkTransformFilter> scaled;
+  scaled->SetTransform(transform);
+  scaled->SetInputConnection(this->Mesher->GetOutputPort());
+  vtkNew<vtkQuadMeshWriter> writer;
+  writer->SetInputConnection(scaled->GetOutputPort());
+  writer->SetFileName(this->File("c.su2"));
+  FilterChecks::MessageRecorder recorder(writer);
+  writer->Write();
+  ASSERT_EQ(recorder.errors.size(), 1U);
+  EXPECT_NE(recorder.errors[0].find("directly behind Quad Mesher"), std::string::npos)
+    << recorder.errors[0];
+  scaled->SetInputConnection(first->GetOutputPort());
+  EXPECT_EQ(CountOf(write(scaled), "MARKER_TAG="), CountOf(joined, "MARKER_TAG="));
+}
+
 TEST_F(QuadMeshWriter, BinaryFormats)
 {
   EXPECT_EQ(this->Write(this->Mesh, "a.EX2").substr(0, 4), std::string("CDF\x02"));
@@ -143,6 +195,7 @@ TEST_F(QuadMeshWriter, FormatsOfBlocksNeedTheirArrays)
 TEST_F(QuadMeshWriter, EndingAndVersionGiveTheFormat)
 {
   EXPECT_EQ(this->Write(this->Mesh, "a.MSH").rfind("$MeshFormat\n4.1 0 8\n", 0), 0U);
+  EXPECT_EQ(this->Write(this->Mesh, "a.msh2").rfind("$MeshFormat\n2.2 0 8\n", 0), 0U);
   EXPECT_EQ(this->Write(this->Mesh, "a.su2").rfind("NDIME= 2\n", 0), 0U);
   EXPECT_NE(this->Write(this->Mesh, "a.inp").find("*ELEMENT, TYPE=CPS4, ELSET=domain\n"),
     std::string::npos);

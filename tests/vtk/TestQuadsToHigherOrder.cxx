@@ -211,7 +211,12 @@ TEST_F(QuadsToHigherOrder, WithoutCurvesEdgesAreStraight)
 TEST_F(QuadsToHigherOrder, RefusesMeshesThatAreNotOfTheMesher)
 {
   this->Filter->RemoveAllInputConnections(1);
-  FilterChecks::CaptureError(this->Filter, { "The quads have no boundary edges", "Boundary" });
+  FilterChecks::UpdateWithoutError(this->Filter); // finds the boundary of the mesher
+  vtkNew<vtkUnstructuredGrid> alone;
+  alone->ShallowCopy(this->Mesher->GetOutput());
+  this->Filter->SetInputData(alone);
+  FilterChecks::CaptureError(this->Filter, { "The quads have no boundary edges", "Quad Mesher" });
+  this->Filter->SetInputConnection(this->Mesher->GetOutputPort());
   this->Filter->SetBoundaryConnection(this->Mesher->GetOutputPort(2));
   FilterChecks::CaptureError(
     this->Filter, { "The inputs are not the quads and the boundary of one mesh" });

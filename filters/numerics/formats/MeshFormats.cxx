@@ -27,11 +27,16 @@ std::string LowerCase(std::string text)
   return text;
 }
 
+std::string EndingOf(const std::string& name)
+{
+  return LowerCase(std::filesystem::path(name).extension().string());
+}
+
 const std::map<std::string, MeshFormat> Endings = { { ".cgns", MeshFormat::Cgns },
   { ".case", MeshFormat::EnSight }, { ".e", MeshFormat::Exodus }, { ".ex2", MeshFormat::Exodus },
   { ".exo", MeshFormat::Exodus }, { ".foam", MeshFormat::Foam }, { ".inp", MeshFormat::Inp },
-  { ".msh", MeshFormat::Msh }, { ".su2", MeshFormat::Su2 }, { ".vtk", MeshFormat::Vtk },
-  { ".xyz", MeshFormat::Plot3d } };
+  { ".msh", MeshFormat::Msh }, { ".msh2", MeshFormat::Msh }, { ".su2", MeshFormat::Su2 },
+  { ".vtk", MeshFormat::Vtk }, { ".xyz", MeshFormat::Plot3d } };
 
 /// Largest order of each format, and its name in messages.
 struct Limit
@@ -81,12 +86,11 @@ std::vector<FileText> WriteFoamFiles(const ExportMesh& mesh, const std::string& 
 
 MeshFormat MeshFormatOf(const std::string& name)
 {
-  const std::string ending = LowerCase(std::filesystem::path(name).extension().string());
   if (!name.empty() && name.back() == '/')
   {
     return MeshFormat::Foam;
   }
-  const auto format = Endings.find(ending);
+  const auto format = Endings.find(EndingOf(name));
   return format == Endings.end() ? MeshFormat::None : format->second;
 }
 
@@ -160,7 +164,7 @@ std::vector<FileText> WriteMeshFiles(ExportMesh mesh, const std::string& name, M
   case MeshFormat::Vtk:
     throw Error("Other libraries write .cgns and .vtk files; use vtkQuadMeshWriter.");
   default:
-    return { { name, WriteMsh(mesh, version) } };
+    return { { name, WriteMsh(mesh, EndingOf(name) == ".msh2" ? MshVersion::V22 : version) } };
   }
 }
 }

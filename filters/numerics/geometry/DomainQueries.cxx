@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 namespace crossfield
 {
@@ -79,11 +78,8 @@ void RequireInside(const PlanarDomain& domain, const Configuration& configuratio
     }
     if (!(SignedDistance(place, domain) > -reach))
     {
-      std::ostringstream text;
-      text.precision(9);
-      text << "The singularity " << i + 1 << " at (" << place.x() << ", " << place.y()
-           << ") lies outside the domain; move it inside.";
-      throw Error(text.str());
+      throw Error("The singularity " + std::to_string(i + 1) + " at " + Describe(place) +
+        " lies outside the domain; move it inside.");
     }
   }
 }

@@ -2,13 +2,26 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace crossfield
 {
 std::string Describe(const Point& point)
 {
-  return "(" + FormatNumber(point.x(), 9) + ", " + FormatNumber(point.y(), 9) + ")";
+  // Both coordinates have the decimals that give the larger one four significant digits: enough to
+  // find the place, without the digits of rounding errors. Digits before the point are all given.
+  const double largest = point.cwiseAbs().maxCoeff();
+  const double step = largest > 0.0 && std::isfinite(largest)
+    ? std::min(1.0, std::pow(10.0, std::floor(std::log10(largest)) - 3.0))
+    : 1.0;
+  const auto format = [step](double value)
+  {
+    constexpr int Digits = 9; // the rounded number has no more, unless it is above 1e9
+    return FormatNumber(std::round(value / step) * step + 0.0, Digits); // + 0 removes the sign of 0
+  };
+  return "(" + format(point.x()) + ", " + format(point.y()) + ")";
 }
 
 std::string FormatNumber(double value, int digits)

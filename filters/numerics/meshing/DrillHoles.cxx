@@ -52,13 +52,13 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
     }
     const double distance = SignedDistance(here.position, domain);
     std::ostringstream text;
-    text.precision(6);
+    text.precision(4);
     // The points of a smaller hole would coincide after rounding.
     const double smallest = 1e-9 * domain.Diagonal();
     if (here.radius < smallest)
     {
       text << "The hole of " << Describe(i, here) << " has a radius of " << here.radius
-           << "; give at least " << smallest << ", 1e-9 of the domain's diagonal.";
+           << "; give at least " << FormatNumber(smallest) << ", 1e-9 of the domain's diagonal.";
       throw Error(text.str());
     }
     if (distance < 0.0)
@@ -79,8 +79,8 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
       if (apart <= here.radius + configuration[j].radius &&
         !IsOnBoundary(domain, configuration[j].position))
       {
-        text << "The holes of " << Describe(j, configuration[j]) << " and " << Describe(i, here)
-             << " overlap: their centres are " << apart << " apart and their radii add up to "
+        text << "Two holes overlap: the centres of " << Describe(j, configuration[j]) << " and "
+             << Describe(i, here) << " are " << apart << " apart and their radii add up to "
              << here.radius + configuration[j].radius << "; move them apart or make them smaller.";
         throw Error(text.str());
       }

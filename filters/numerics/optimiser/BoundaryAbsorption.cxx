@@ -163,7 +163,8 @@ std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const Optimi
     // The singularity moves into the boundary only if W decreases in that direction.
     const Point gradient = current.gradient.segment<2>(2 * static_cast<Eigen::Index>(i));
     const std::size_t row = stage.placed.rows[i];
-    const std::string key = "in " + std::to_string(row) + " " + Describe(place);
+    const std::string key = "in " + std::to_string(row) + " " + FormatNumber(place.x(), 9) + " " +
+      FormatNumber(place.y(), 9);
     if (gradient.dot(place - position) <= 0.0 && rejected.count(key) == 0)
     {
       due.push_back({ i, row, target.vertex, key, target.energy });

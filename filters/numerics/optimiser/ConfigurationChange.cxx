@@ -160,7 +160,8 @@ std::optional<ConfigurationChange> FindRelease(
     for (const int quarters : { 1, -1 })
     {
       const int remaining = boundary.quarters[v] - quarters;
-      const std::string key = "out " + Describe(corner.position) + " " + std::to_string(quarters);
+      const std::string key = "out " + FormatNumber(corner.position.x(), 9) + " " +
+        FormatNumber(corner.position.y(), 9) + " " + std::to_string(quarters);
       if (CornerCoefficient(corner, remaining) + Pi >=
           CornerCoefficient(corner, boundary.quarters[v]) ||
         rejected.count(key) != 0)

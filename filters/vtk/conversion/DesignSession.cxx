@@ -141,8 +141,11 @@ void DesignSession::Apply(const DesignRequest& request, Configuration& singulari
   {
     const std::vector<Row> start = ToRows(singularities);
     this->ApplyCommand(request, singularities, progress);
-    this->UndoStack.push_back(start);
-    rows = ToRows(singularities);
+    if (ToRows(singularities) != start) // otherwise chosen singularities stay chosen
+    {
+      this->UndoStack.push_back(start);
+      rows = ToRows(singularities);
+    }
   }
   else if (!this->UndoStack.empty())
   {

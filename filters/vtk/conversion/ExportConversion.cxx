@@ -311,8 +311,8 @@ Cells ReadMesh(vtkUnstructuredGrid* mesh)
   if (result.side.empty())
   {
     throw Error(
-      "The quads have no boundary edges; in ParaView, join them with the output Boundary by Quads To "
-      "Higher Order, whose Order may be 1.");
+      "The quads have no boundary edges; put Quads To Higher Order with Order 1 directly behind Quad "
+      "Mesher, before filters that change points or cells.");
   }
   result.blocks = ReadBlocks(cells, mesh->GetCellData());
   result.sweep = ReadSweep(mesh->GetFieldData(), numbers);

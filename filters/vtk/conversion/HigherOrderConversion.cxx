@@ -260,8 +260,8 @@ Quads ReadQuads(vtkUnstructuredGrid* mesh)
   if (result.straight.edges.empty())
   {
     throw Error(
-      "The quads have no boundary edges, which have the curves; connect the output Boundary "
-      "of the Quad Mesher as Boundary.");
+      "The quads have no boundary edges, which have the curves; put this filter directly behind "
+      "Quad Mesher, before filters that change points or cells.");
   }
   result.straight.curves = std::move(curves.curves);
   result.straight.periodic =

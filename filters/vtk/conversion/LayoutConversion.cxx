@@ -4,6 +4,8 @@
 #include "HolonomyConversion.h"
 #include "Index.h"
 #include "PoincareHopf.h"
+#include "QuadAdvice.h"
+#include "QuadQuality.h"
 #include "QuadReport.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -30,6 +32,19 @@ std::string DescribeMoves(const crossfield::NodePositions& nodes)
        << " moved by " << (count == 1 ? "" : "up to ") << nodes.moved << " from "
        << (count == 1 ? "its handle." : "their handles.");
   return text.str();
+}
+
+/** Returns a warning of inverted or nearly degenerate quads; empty if there are none. */
+std::string DescribeBadQuads(const crossfield::LayoutDesign& design)
+{
+  if (!design.quads)
+  {
+    return {};
+  }
+  const crossfield::QuadQuality& quality = design.quads->quality;
+  return quality.inverted > 0
+    ? crossfield::CountInverted(quality) + "; move singularities nearby, or use smaller quads."
+    : crossfield::DescribeWorstQuad(design.quads->mesh, quality);
 }
 }
 
@@ -90,7 +105,16 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
     const std::string stretch = crossfield::DescribeStretch(*design->map.flattening);
     text << (stretch.empty() ? "" : " ") << stretch;
   }
+  const std::string warning = DescribeBadQuads(*design);
+  text << (warning.empty() || report.isDraft ? "" : " " + warning);
   return text.str();
+}
+
+//------------------------------------------------------------------------------
+bool ReportsProblem(const crossfield::LayoutDesign* design, const Report& report)
+{
+  return !report.refusal.empty() ||
+    (design != nullptr && !report.isDraft && !DescribeBadQuads(*design).empty());
 }
 
 //------------------------------------------------------------------------------

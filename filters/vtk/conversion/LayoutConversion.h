@@ -19,6 +19,7 @@ struct Report
   std::string refusal;   ///< Why the design is outdated; empty if it is current.
   double quadSize = 0.0; ///< Side length of quads, the unit in which the shortest arc is reported.
   bool canSnap = true;   ///< Whether Snap is offered; merged blocks do not need it.
+  bool isDraft = false;  ///< Whether the quads are drafts, about which there are no warnings.
 };
 
 /**
@@ -36,6 +37,9 @@ void AddColours(
 
 /** Returns a short text about the quality of the design, or why there is no design. */
 std::string Summary(const crossfield::LayoutDesign* design, const Report& report);
+
+/** Returns whether the text gives a refusal or warns of bad quads. */
+bool ReportsProblem(const crossfield::LayoutDesign* design, const Report& report);
 
 /** Adds the field data of vtkLayoutDesigner; `design` is null if there never was one. */
 void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtkFieldData* data);

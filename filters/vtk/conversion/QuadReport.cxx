@@ -5,6 +5,7 @@
 #include "SideConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
+#include <algorithm>
 #include <array>
 #include <iomanip>
 #include <map>
@@ -207,7 +208,17 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
     result.flattening ? crossfield::DescribeStretch(*result.flattening) : std::string();
   for (const std::string& sentence : { inverted, stretch })
   {
-    text << (sentence.empty() ? "" : " ") << sentence;
+    const auto isRepeated = [&](const std::string& warning)
+    { return warning.rfind(sentence.substr(0, sentence.size() - 1), 0) == 0; };
+    if (!sentence.empty() &&
+      std::none_of(result.warnings.begin(), result.warnings.end(), isRepeated))
+    {
+      text << " " << sentence;
+    }
+  }
+  for (const std::string& warning : result.warnings)
+  {
+    text << " " << warning;
   }
   return text.str();
 }

@@ -269,7 +269,7 @@ TEST(DrillHoles, RefusesHolesThatDoNotFit)
   EXPECT_FALSE(Refuses(drill({ { { 0.5, 0.0 }, 1, 0.09 } }), {}));
   // Overlap, tangency, and one hole inside another: the message states both rows and both numbers.
   EXPECT_TRUE(Refuses(drill({ good, { { 0.7, 0.125 }, -1, 0.1 } }),
-    { "singularity 1", "singularity 2", "overlap", "0.125 apart", "add up to 0.2" }));
+    { "Two holes overlap: ", "singularity 1", "singularity 2", "0.125 apart", "add up to 0.2" }));
   EXPECT_TRUE(Refuses(drill({ good, { { 0.7, 0.2 }, -1, 0.1 } }), { "overlap" }));
   EXPECT_TRUE(Refuses(drill({ good, good }), { "overlap" }));
 }
