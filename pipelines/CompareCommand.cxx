@@ -132,7 +132,7 @@ int Compare(const CompareOptions& options)
   if (options.json.empty() && !outputs.PrintsData())
   {
     BoundaryInput::Print(domain);
-    singularities.PrintChoice();
+    singularities.PrintChoice(options.verbose);
     std::cout << CompareTable::Text(rows);
   }
   outputs.Commit();
@@ -170,6 +170,7 @@ void AddCompareCommand(CLI::App& app, int& status)
   command->add_option(
     "--csv", options->csv, "write the table as CSV to this file, or to standard output for -");
   AddSaveSingularitiesTo(*command, options->savedSingularities);
+  AddVerboseTo(*command, options->verbose);
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Compare(*options); });
 }

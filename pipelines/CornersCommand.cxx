@@ -80,6 +80,7 @@ void PrintSummary(vtkBoundaryCornerClassifier* classifier)
   }
   std::cout << "energy " << FieldValue(corners, names::Energy) << ", interior quarter indices "
             << FieldValue(corners, names::InteriorQuarters) << "\n";
+  PrintAmbiguous(corners->GetFieldData());
 }
 
 int Corners(const CornersOptions& options)

@@ -40,6 +40,7 @@ void AddDrillCommand(CLI::App& app, int& status)
   command->get_option("--output")->required();
   AddModeTo(*command, options->mode);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
+  AddVerboseTo(*command, options->verbose);
   command->callback(
     [options, &status]
     {
@@ -67,7 +68,7 @@ void AddDrillCommand(CLI::App& app, int& status)
       if (!outputs.PrintsData())
       {
         BoundaryInput::Print(domain);
-        singularities.PrintChoice();
+        singularities.PrintChoice(options->verbose);
         std::cout << options->output << ": " << CountTriangles(drill->GetOutput())
                   << " triangles\n";
       }

@@ -33,6 +33,7 @@ namespace names = vtkCrossFieldArrayNames;
 
 struct EnergyOptions
 {
+  bool verbose = false;
   BoundaryOptions boundary;
   std::string domain;
   std::vector<std::string> configurations;
@@ -120,7 +121,7 @@ int Energy(const EnergyOptions& options)
     BoundaryInput::Print(domain);
     if (chosen.has_value())
     {
-      chosen->PrintChoice();
+      chosen->PrintChoice(options.verbose);
     }
     PrintSummary(table, files);
   }
@@ -155,6 +156,7 @@ void AddEnergyCommand(CLI::App& app, int& status)
   AddCornersTo(*command, options->corners);
   AddSizeTo(*command, options->size);
   AddCoreRadiusTo(*command, options->coreRadius);
+  AddVerboseTo(*command, options->verbose);
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Energy(*options); });
 }

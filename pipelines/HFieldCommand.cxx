@@ -114,7 +114,7 @@ int SolveH(const HFieldOptions& options)
     BoundaryInput::Print(domain);
     if (!usesHoles)
     {
-      singularities.PrintChoice();
+      singularities.PrintChoice(options.verbose);
     }
     PrintSummary(field);
   }
@@ -142,6 +142,7 @@ void AddHFieldCommand(CLI::App& app, int& status)
   AddCornersTo(*command, options->corners);
   AddArraysTo(*command, options->arrays);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
+  AddVerboseTo(*command, options->verbose);
   AddJsonTo(*command, options->json);
   command->add_flag(
     "--strict", options->strict, "exit with status 1 if there are unwanted singularities");

@@ -33,6 +33,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <initializer_list>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -66,6 +67,7 @@ struct QuadsOptions
   bool repairHolonomy = false;
   double repairPart = 1.0;
   bool split = false;
+  bool verbose = false;
   std::vector<std::string> layers;
   std::vector<std::string> cornerRows;
   int order = 1;
@@ -215,6 +217,37 @@ void PrintPeriodic(vtkFieldData* report)
   }
 }
 
+/** Prints what was made. */
+void PrintResult(vtkUnstructuredGrid* quads)
+{
+  std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
+            << " blocks, irregular nodes by valence "
+            << ReportJson::Write("quads", "irregular", quads) << ", minimum scaled Jacobian "
+            << Value(quads, names::ScaledJacobianRange) << " (attainable "
+            << Value(quads, names::ScaledJacobianBound) << ")\n";
+  if (vtkDataArray* hexahedra = quads->GetFieldData()->GetArray(names::Hexahedra))
+  {
+    const double layers = Value(quads, names::SweepLayers);
+    std::cout << hexahedra->GetTuple1(0) << " hexahedra in " << layers
+              << (layers == 1.0 ? " layer\n" : " layers\n");
+  }
+}
+
+/** Prints the names of the files that were written; an empty name stands for none. */
+void PrintOutputs(std::initializer_list<std::string> files)
+{
+  const char* separator = "Written to ";
+  for (const std::string& file : files)
+  {
+    if (!file.empty())
+    {
+      std::cout << separator << file;
+      separator = ", ";
+    }
+  }
+  std::cout << "\n";
+}
+
 int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
@@ -307,35 +340,37 @@ int Mesh(const QuadsOptions& options)
   {
     outputs.Write(ReportJson::Write("quads", SourcesOf(quads, mesher, domain)), options.json);
   }
-  else if (!outputs.PrintsData())
+  const bool prints = (options.json.empty() || options.verbose) && !outputs.PrintsData();
+  if (prints)
   {
     BoundaryInput::Print(domain);
-    PrintRepair(quads->GetFieldData());
     PrintStretch(quads->GetFieldData());
-    if (options.singularities.empty())
+    if (options.verbose)
     {
-      PrintChosen(Singularities(mesher), hasHeight);
+      PrintRepair(quads->GetFieldData());
+      if (options.singularities.empty())
+      {
+        PrintChosen(Singularities(mesher), hasHeight);
+      }
+      else
+      {
+        PrintEvents(quads);
+      }
     }
-    else
+    PrintResult(quads);
+    if (options.verbose)
     {
-      PrintEvents(quads);
+      PrintAmbiguous(quads->GetFieldData());
+      PrintLayers(quads->GetFieldData());
+      PrintPeriodic(quads->GetFieldData());
+      PrintCurves(quads->GetFieldData());
     }
-    std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
-              << " blocks, irregular nodes by valence "
-              << ReportJson::Write("quads", "irregular", quads.Get())
-              << ", minimum scaled Jacobian " << Value(quads, names::ScaledJacobianRange)
-              << " (attainable " << Value(quads, names::ScaledJacobianBound) << ")\n";
-    if (vtkDataArray* hexahedra = quads->GetFieldData()->GetArray(names::Hexahedra))
-    {
-      const double layers = Value(quads, names::SweepLayers);
-      std::cout << hexahedra->GetTuple1(0) << " hexahedra in " << layers
-                << (layers == 1.0 ? " layer\n" : " layers\n");
-    }
-    PrintLayers(quads->GetFieldData());
-    PrintPeriodic(quads->GetFieldData());
-    PrintCurves(quads->GetFieldData());
   }
   outputs.Commit();
+  if (prints)
+  {
+    PrintOutputs({ options.output, options.blocks, options.layout, options.savedSingularities, options.json });
+  }
   const bool isInverted = Value(quads, names::Inverted) > 0.0 ||
     (options.order > 1 && Value(quads, names::CurvedInverted) > 0.0);
   return isInverted ? AnswerIsNo : Done;
@@ -448,6 +483,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->type_name("WORD");
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
+  AddVerboseTo(*command, options->verbose);
   AddJsonTo(*command, options->json);
   command->callback(
     [options, count, &status]

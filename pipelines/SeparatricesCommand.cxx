@@ -91,7 +91,7 @@ int Trace(const SeparatricesOptions& options)
   else if (!outputs.PrintsData())
   {
     BoundaryInput::Print(domain);
-    singularities.PrintChoice();
+    singularities.PrintChoice(options.verbose);
     PrintStretch(map->GetOutput()->GetFieldData());
     std::cout << FieldValue(lines, names::Lines) << " lines, " << FieldValue(lines, names::Faces)
               << " faces, " << FieldValue(lines, names::Arcs) << " arcs, longest line "
@@ -126,6 +126,7 @@ void AddSeparatricesCommand(CLI::App& app, int& status)
   AddRepairHolonomyTo(*command, options->repairHolonomy);
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
+  AddVerboseTo(*command, options->verbose);
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Trace(*options); });
 }

@@ -120,7 +120,7 @@ int Solve(const SolveOptions& options)
     }
     else
     {
-      singularities.PrintChoice();
+      singularities.PrintChoice(options.verbose);
       SolveMethods::PrintSummary(field);
     }
     if (mayAppear)
@@ -178,6 +178,7 @@ void AddSolveCommand(CLI::App& app, int& status)
   AddCornersTo(*command, options->corners);
   AddArraysTo(*command, options->arrays);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
+  AddVerboseTo(*command, options->verbose);
   AddJsonTo(*command, options->json);
   command->add_flag("--strict", options->strict,
     "exit with status 1 if there are unwanted singularities or a hole does not have its index");

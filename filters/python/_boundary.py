@@ -6,6 +6,7 @@ from typing import Optional, Union
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 from . import names
+from ._arguments import checks_arguments
 from ._configurations import checked
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._layers import Curves, curves_text
@@ -13,6 +14,7 @@ from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkBoundarySimplifier
 
 
+@checks_arguments
 def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[float] = None,
              smooth: float = 0.0, keep: Singularities = None, corner_angle: float = 30.0,
              curves: Optional[Curves] = None

@@ -6,6 +6,7 @@ from typing import Any, Optional, Union
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import names
+from ._arguments import checks_arguments
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._reports import report_of
 from ._results import Configuration, Corners, configuration_of
@@ -66,6 +67,7 @@ def _proposal(pipeline: Pipeline, domain: Any, given: Singularities, size: Optio
     return proposal
 
 
+@checks_arguments
 def propose(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
             corners: Union[Corners, Singularities] = None, cancel_flat_corners: bool = False,
             automatic: bool = False, clearance: Optional[float] = None,
@@ -89,6 +91,7 @@ def propose(domain: Domain, singularities: Singularities = None, *, size: Option
     return configuration_of(pipeline.update(proposal))
 
 
+@checks_arguments
 def optimize(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
              corners: Union[Corners, Singularities] = None, iterations: int = 200,
              even: bool = False, pairs: int = 0, size_array: Optional[str] = None,
@@ -138,6 +141,7 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     return configuration_of(pipeline.update(optimizer))
 
 
+@checks_arguments
 def energy(domain: Domain, *configurations: Singularities, size: Optional[float] = None,
            corners: Union[Corners, Singularities] = None) -> list[dict[str, Any]]:
     """Computes the energies of configurations, the best first, with the keys of `crossfield energy

@@ -4,6 +4,7 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from . import names
+from ._arguments import checks_arguments
 from ._configurations import checked, chosen as choose, corner_points, give
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import (
@@ -44,6 +45,7 @@ def _drilled(pipeline: Pipeline, domain: Any, singularities: Any,
     return drill_holes
 
 
+@checks_arguments
 def drill(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           minimum_hole_edges: int = 32, gradation: float = 0.25) -> Mesh:
     """Triangulates a domain with a small hole at every singularity.
@@ -64,6 +66,7 @@ def drill(domain: Domain, singularities: Singularities = None, *, size: Optional
     return mesh_of(pipeline.update(found).GetOutput())
 
 
+@checks_arguments
 def solve(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           method: str = "unit-norm", start: Optional[str] = None, unit_holes: bool = False,
           corners: Union[Corners, Singularities] = None, epsilon: Optional[float] = None,
@@ -146,6 +149,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
     return field_of(pipeline.update(solver).GetOutput(), chosen)
 
 
+@checks_arguments
 def hfield(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
            corners: Union[Corners, Singularities] = None, arrays: str = "all") -> HField:
     """Computes the size field H, its size map and its cross field of norm one, with singularities
@@ -172,6 +176,7 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
     return h_field_of(pipeline.update(solver).GetOutput(), chosen)
 
 
+@checks_arguments
 def check(domain: Domain, singularities: Singularities = None, *,
           corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
           holonomy: bool = True) -> ConsistencyCheck:
@@ -207,6 +212,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
         cancellable=copied(data, names.Cancellable) != 0, report=report)
 
 
+@checks_arguments
 def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: bool = False,
             overrides: Sequence[tuple[float, float, int]] = ()) -> Corners:
     """Computes the quarter indices of corners that have minimum energy with the singularities that
@@ -243,6 +249,7 @@ def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: 
         interior_quarters=report["interior_quarters"], scenarios=report["scenarios"], data=found)
 
 
+@checks_arguments
 def separatrices(domain: Domain, singularities: Singularities = None, *,
                  size: Optional[float] = None, corners: Union[Corners, Singularities] = None,
                  cap_corners: bool = False, repair_holonomy: bool = False,

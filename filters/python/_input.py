@@ -17,7 +17,8 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 from . import names
-from ._run import Error, Pipeline
+from ._arguments import checks_arguments
+from ._run import ArgumentError, Error, Pipeline
 from .vtkCrossFieldFilters import (
     vtkDrawingReader, vtkPlanarDomainReader, vtkPlanarDomainSource, vtkSingularitySource)
 
@@ -43,9 +44,10 @@ def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
     if values is not None and array.size == 0:
         return np.empty((0, widths[0]))
     if array.ndim != 2 or array.shape[1] not in widths:
-        raise Error("The %s must be an array of numbers with %s columns; its shape is %s." % (
+        sentence = "The %s must be an array of numbers with %s columns; its shape is %s." % (
             what, " or ".join(map(str, widths)),
-            array.shape if values is not None else "not that of an array"))
+            array.shape if values is not None else "not that of an array")
+        raise Error(sentence) if values is not None else ArgumentError(sentence)
     return array
 
 
@@ -89,6 +91,7 @@ def _loops(loops: Any) -> vtkPolyData:
     return result
 
 
+@checks_arguments
 def read(path: Path, join_tolerance: Optional[float] = None) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
     aerofoil .dat, or a drawing: .dxf .svg .geojson .msh .step .brep, whose open ends are joined within
@@ -159,7 +162,10 @@ def as_domain(domain: Domain, size: Optional[float]) -> Union[vtkPolyData, vtkUn
     if isinstance(domain, (str, os.PathLike)):
         name = os.fspath(domain)
         return _builtin(name, size or 0.0) if name.startswith(_BUILTIN) else read(name)
-    return _loops(domain)
+    if not isinstance(domain, (np.ndarray, Sequence)) and not hasattr(domain, "__array__"):
+        raise ArgumentError("The domain is of the type %s; give an array of points, a list of loops, a data set of VTK, "
+                            "the name of a file or \"builtin:NAME\"." % type(domain).__name__)
+    return _loops(domain if isinstance(domain, Sequence) else np.asarray(domain))
 
 
 def configuration(points: ArrayLike, quarter_index: ArrayLike,

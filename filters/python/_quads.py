@@ -11,16 +11,17 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 from . import names
+from ._arguments import checks_arguments, dictionary, number, whole
 from ._configurations import checked, corner_points
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._layers import (
     CornerRows, Curves, Layers, Periodic, corner_rows_text, curves_text, layers_text, periodic_text)
 from ._plot import plot_quads
 from ._reports import report_of
-from ._results import Configuration, Corners, chains, configuration_of, copied, places, replace_file, write_grid
+from ._results import Configuration, Corners, chains, configuration_of, copied, places
 from ._run import Error, Pipeline
-from ._solid import SolidMesh, swept
-from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadMeshWriter, vtkQuadsToHigherOrder
+from ._solid import SolidMesh, swept, unknown_ending, write_mesh
+from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadsToHigherOrder
 
 #: Ratio of the last edge to the first, (first, last) lengths, or either after "both" in a tuple.
 Progression = Union[float, tuple[float, float], tuple[str, float], tuple[str, float, float]]
@@ -29,6 +30,11 @@ _SIZINGS = {"auto": vtkQuadMesher.SizingAutomatic, "conformal": vtkQuadMesher.Si
             "uniform": vtkQuadMesher.SizingUniform, "field": vtkQuadMesher.SizingField}
 _MERGES = {"none": vtkQuadMesher.MergeNone, "clean": vtkQuadMesher.MergeClean,
            "coarse": vtkQuadMesher.MergeCoarse}
+
+
+#: Formats of meshio that hold quads and lines; it writes others, such as .stl, without them and without an error.
+_MESHIO_ENDINGS = (".avs", ".bdf", ".fem", ".mdpa", ".med", ".mesh", ".meshb", ".nas", ".ply", ".post", ".vol", ".xdmf",
+                   ".xmf")
 
 
 @dataclass(frozen=True, repr=False)
@@ -90,6 +96,7 @@ class QuadMesh:
         """The names of the sides of the boundary."""
         return [side["name"] for side in self.report["sides"]]
 
+    @checks_arguments
     def side(self, name: str) -> np.ndarray:
         """Returns the rows of `points` on a side, in order with the domain on the left.
 
@@ -112,6 +119,7 @@ class QuadMesh:
                   for piece in pieces]
         return np.concatenate(chains) if chains else np.empty(0, int)
 
+    @checks_arguments
     def extrude(self, height: float, layers: int = 1) -> SolidMesh:
         """Returns hexahedra between the quads and the quads moved by `height` along their normal.
 
@@ -124,6 +132,7 @@ class QuadMesh:
         """
         return swept(self.grid, layers, height=height)
 
+    @checks_arguments
     def revolve(self, angle: float, layers: int = 1, axis: str = "x") -> SolidMesh:
         """Returns hexahedra that the quads pass when they turn by `angle` degrees about the line y = 0 (axis "x")
         or x = 0 ("y"). Quads with an edge on the axis become prisms, and 360 degrees close the mesh. With one
@@ -140,17 +149,13 @@ class QuadMesh:
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a file in the format of its ending: `grid` as .vtu or .vtk, or quads and names of sides as .msh
-        (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus) or .case (EnSight). Other endings
-        are written by meshio: quads and boundary lines, with the loop of each line."""
-        if os.path.splitext(os.fspath(path))[1].lower() == ".vtu":
-            write_grid(self.grid, path)
+        (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus), .case (EnSight), or .foam and / for
+        a case of OpenFOAM. Formats of meshio that hold quads, such as .med, .mesh and .bdf, are written by meshio: quads
+        and boundary lines, with the loop of each line. Other endings are an Error."""
+        if write_mesh(self.grid, path):
             return
-        if vtkQuadMeshWriter.CanWrite(os.fspath(path)):
-            writer = vtkQuadMeshWriter()
-            writer.SetInputData(self.grid)
-            writer.SetFileName(os.fspath(path))
-            Pipeline().update_one(writer)
-            return
+        if os.path.splitext(os.fspath(path))[1].lower() not in _MESHIO_ENDINGS:
+            raise unknown_ending(path, _MESHIO_ENDINGS)
         try:
             import meshio
         except ImportError:
@@ -169,12 +174,12 @@ class QuadMesh:
                         % (path, error)) from None
 
 
-def _progression_text(progression: Progression) -> str:
+def _progression_text(side: str, progression: Progression) -> str:
     """Returns the text of vtkQuadMesher::AddSide."""
-    if isinstance(progression, tuple) and progression and progression[0] == "both":
-        return "both:" + ",".join("%.17g" % value for value in progression[1:])
-    values = progression if isinstance(progression, tuple) else (progression,)
-    return ",".join("%.17g" % value for value in values)
+    values = list(progression) if isinstance(progression, (tuple, list)) and progression else [progression]
+    both = "both:" if values[0] == "both" else ""
+    return both + ",".join("%.17g" % number(value, "progression of '%s'" % side, "a number, or a tuple of numbers")
+                           for value in values[1 if both else 0:])
 
 
 def _points_of_block(grid: Any) -> np.ndarray:
@@ -220,6 +225,7 @@ def _mesh_of(pipeline: Pipeline, mesher: vtkQuadMesher, was_chosen: bool, order:
         grid=grid, block_data=blocks, layout_data=layout, quad_nodes=quad_nodes, edge_nodes=edge_nodes)
 
 
+@checks_arguments
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities, CornerRows] = None, cap_corners: bool = True,
@@ -270,7 +276,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    bounds of target sizes
     layers         boundary layers, as {"wall": (1e-4, 1.2)}: for each named side the height of the first row,
                    normal to the wall, and optionally the maximum growth from row to row (default: 1.2) and the
-                   number of rows; report["layers"] has the measures, and `count` includes the rows
+                   number of rows, or as the text "wall:1e-4,1.2;hole:1e-3"; report["layers"] has the measures, and
+                   `count` includes the rows
     curves         curves that sides stand for, as {"hole": "circle"}: "circle", "ellipse", "spline" (cubic through
                    the points) or "line"; or "auto", which recognises arcs of circles; nodes are then on the curves
     periodic       pairs of sides that are images of each other under a translation or rotation, as {"left": "right"}
@@ -324,12 +331,12 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetSideNameArray(names or "")
-    for side, number in (counts or {}).items():
-        mesher.AddSide(side, str(number), "", "")
-    for side, progression in (progressions or {}).items():
-        mesher.AddSide(side, "", _progression_text(progression), "")
-    for side, length in (sizes or {}).items():
-        mesher.AddSide(side, "", "", "%.17g" % length)
+    for side, edges in dictionary(counts or {}, "argument counts", "{'wall': 40}").items():
+        mesher.AddSide(side, str(whole(edges, "count of '%s'" % side)), "", "")
+    for side, progression in dictionary(progressions or {}, "argument progressions", "{'wall': 2.0}").items():
+        mesher.AddSide(side, "", _progression_text(side, progression), "")
+    for side, length in dictionary(sizes or {}, "argument sizes", "{'wall': 0.1}").items():
+        mesher.AddSide(side, "", "", "%.17g" % number(length, "size of '%s'" % side, "a length"))
     mesher.SetMinimumSize(checked(min_size))
     mesher.SetMaximumSize(checked(max_size))
     mesher.SetMerge(_MERGES[merge])

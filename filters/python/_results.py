@@ -14,7 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from . import names
 from ._reports import report_of
-from ._run import Pipeline
+from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkCrossFieldSingularities
 
 
@@ -31,7 +31,9 @@ def places(data: Any) -> np.ndarray:
 
 
 def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:
-    """Writes a .vtu file, in a form that Debian's VTK can read back."""
+    """Writes a .vtu file, in a form that Debian's VTK can read back; devices and pipes have any name."""
+    if os.path.splitext(os.fspath(path))[1].lower() != ".vtu" and (os.path.isfile(path) or not os.path.exists(path)):
+        raise Error("The file '%s' must end in .vtu." % path)
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetInputData(grid)
     writer.SetDataModeToBinary()

@@ -23,6 +23,10 @@ class Error(RuntimeError):
         self.inconsistent = inconsistent
 
 
+class ArgumentError(Error, TypeError):
+    """Error of an argument of a wrong type, also a TypeError."""
+
+
 def _sentence(text: str) -> str:
     """Returns the sentence in a text of VTK, "ERROR: In FILE, line N\\nvtkClass (0x...):
     sentence\\n\\n"."""

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -52,18 +52,29 @@ class SolidMesh:
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes `grid` to a .vtu file, or to a file of a solver by its ending."""
-        write_mesh(self.grid, path)
+        if not write_mesh(self.grid, path):
+            raise unknown_ending(path)
 
 
-def write_mesh(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:
-    """Writes a mesh in the format of the file's ending."""
+def write_mesh(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> bool:
+    """Writes a mesh in the format of the file's ending; returns False if its ending is of no such format."""
     if os.path.splitext(os.fspath(path))[1].lower() == ".vtu":
         write_grid(grid, path)
-        return
+        return True
+    if not vtkQuadMeshWriter.CanWrite(os.fspath(path)):
+        return False
     writer = vtkQuadMeshWriter()
     writer.SetInputData(grid)
     writer.SetFileName(os.fspath(path))
     Pipeline().update_one(writer)
+    return True
+
+
+def unknown_ending(path: Union[str, "os.PathLike[str]"], others: Sequence[str] = ()) -> Error:
+    """Returns the error that lists all endings, including those of meshio."""
+    endings = [".vtu", *(ending for ending in vtkQuadMeshWriter.GetEndings().split() if ending != "/")]
+    sentence = "The ending of the file '%s' is unknown; give %s, or a folder with / at its end" % (path, ", ".join(endings))
+    return Error(sentence + (", or one of %s, which meshio writes." % ", ".join(others) if others else "."))
 
 
 def _points_of_block(grid: Any) -> np.ndarray:

@@ -9,6 +9,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
+#include "MaterialCheck.h"
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SmoothBoundary.h"
@@ -374,6 +375,11 @@ int vtkBoundarySimplifier::RequestData(
       {
         PassThrough(input, output);
         return;
+      }
+      const std::string warning = MaterialCheck::Warning(input); // the output has no cells that show it
+      if (!warning.empty())
+      {
+        vtkWarningMacro(<< warning);
       }
       WriteLoops(simple, named, boundary, input, output);
       if (!isChanged)

@@ -101,6 +101,7 @@ constexpr const char* Sum = "Sum";
 constexpr const char* Feasible = "Feasible";
 constexpr const char* Chosen = "Chosen";
 constexpr const char* InteriorQuarters = "InteriorQuarters";
+constexpr const char* AmbiguousCorners = "AmbiguousCorners"; // also in vtkPoincareHopfCheck and vtkQuadMesher
 // Points, cells and field data: vtkCrossFieldMap.
 constexpr const char* UV = "UV";
 constexpr const char* VertexId = "VertexId";

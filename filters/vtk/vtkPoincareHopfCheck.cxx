@@ -145,6 +145,7 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   AddIntegers(data, names::RequiredInteriorQuarters, { count.requiredInteriorQuarters });
   AddIntegers(data, names::GivenInteriorQuarters, { count.givenInteriorQuarters });
   AddIntegers(data, names::Consistent, { findings.consistent ? 1 : 0 });
+  CornerConversion::WriteAmbiguous(crossfield::CountAmbiguous(count), data);
   if (findings.isField)
   {
     AddIntegers(data, names::HoleDegree, findings.holeDegrees);

@@ -5,6 +5,7 @@
 #include "ExportConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "FoamCase.h"
 #include "HigherOrderConversion.h"
 #include "MeshFormats.h"
 #include "QuadBoundary.h"
@@ -93,6 +94,10 @@ std::string vtkQuadMeshWriter::ReasonAgainst(const std::string& fileName, int or
     {
       CgnsLibrary::Require();
     }
+    if (format == MeshFormat::Foam)
+    {
+      crossfield::RequireOwnCase(fileName);
+    }
     return "";
   }
   catch (const crossfield::Error& error)
@@ -122,6 +127,10 @@ void vtkQuadMeshWriter::WriteData()
       {
         const bool isCase =
           crossfield::MeshFormatOf(this->FileName) == crossfield::MeshFormat::Foam;
+        if (isCase)
+        {
+          crossfield::RequireOwnCase(this->FileName);
+        }
         TextFile::Write(this->OutputFiles, isCase);
         this->OutputFiles.clear();
       }

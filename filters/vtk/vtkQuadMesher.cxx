@@ -10,6 +10,7 @@
 #include "FilterRun.h"
 #include "HolonomyConversion.h"
 #include "LayerText.h"
+#include "MaterialCheck.h"
 #include "PeriodicConversion.h"
 #include "QuadBoundary.h"
 #include "QuadConversion.h"
@@ -86,8 +87,13 @@ int vtkQuadMesher::RequestData(
       request.prescribed = SideConversion::ReadPrescriptions(this->Sides, request.sides);
       request.requestedCurves = CurveText::Read(this->Curves);
       request.givenCurves = SegmentCurveConversion::Read(domain, input);
-      const crossfield::QuadWorkflowResult result =
+      crossfield::QuadWorkflowResult result =
         crossfield::MakeQuadMesh(input.domain, request, progress);
+      const std::string materials = MaterialCheck::Warning(domain);
+      if (!materials.empty())
+      {
+        result.warnings.push_back(materials);
+      }
       for (const std::string& warning : result.warnings)
       {
         vtkWarningMacro(<< warning);
@@ -184,6 +190,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, report);
+  CornerConversion::WriteAmbiguous(result.ambiguousCorners, report);
   EnergyConversion::WriteEvents(result.events, summary);
   EnergyConversion::WriteWarnings(result.warnings, summary);
   ViewText::Write(vtkCrossFieldArrayNames::Summary,

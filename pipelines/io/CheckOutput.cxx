@@ -46,6 +46,7 @@ void Print(vtkPoincareHopfCheck* check)
       std::cout << ") can be cancelled by singularities in the domain\n";
     }
   }
+  PrintAmbiguous(domain->GetFieldData());
   if (vtkDataArray* defects = domain->GetFieldData()->GetArray(names::HolonomyDefect))
   {
     for (vtkIdType i = 0; i < defects->GetNumberOfTuples(); ++i)

@@ -71,6 +71,13 @@ void AddJsonTo(CLI::App& command, std::string& json)
     "write the numbers of the run as JSON to this file, or to standard output for -");
 }
 
+void AddVerboseTo(CLI::App& command, bool& verbose)
+{
+  command.add_flag("--verbose", verbose,
+    "print more than the result: how singularities were chosen and moved, and further measures, which "
+    "--json has as well");
+}
+
 void AddModeTo(CLI::App& command, std::string& mode)
 {
   command
@@ -163,6 +170,16 @@ void PrintEvents(vtkDataObject* data)
   for (vtkIdType i = 0; events != nullptr && i < events->GetNumberOfValues(); ++i)
   {
     std::cout << events->GetValue(i) << "\n";
+  }
+}
+
+void PrintAmbiguous(vtkFieldData* data)
+{
+  if (vtkDataArray* corners = data->GetArray(vtkCrossFieldArrayNames::AmbiguousCorners))
+  {
+    const double count = corners->GetTuple1(0);
+    std::cout << count << (count == 1.0 ? " corner turns" : " corners turn")
+              << " by 45 or 135 degrees within 1 degree: the quarter index there is ambiguous\n";
   }
 }
 

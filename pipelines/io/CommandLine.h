@@ -12,6 +12,7 @@ class App;
 class Option;
 }
 class vtkDataObject;
+class vtkFieldData;
 class vtkUnstructuredGrid;
 
 /** Exit statuses of the program. */
@@ -46,6 +47,7 @@ struct MeshOptions
   std::string singularities;
   std::string output;
   double size = 0.0;
+  bool verbose = false;
 
   void AddTo(CLI::App& command);
 };
@@ -59,6 +61,8 @@ void AddSizeTo(CLI::App& command, double& size);
 void AddCornersTo(CLI::App& command, std::string& corners);
 void AddSaveSingularitiesTo(CLI::App& command, std::string& file);
 void AddJsonTo(CLI::App& command, std::string& json);
+/** Adds --verbose, which prints what the report has: how singularities were chosen, and more measures. */
+void AddVerboseTo(CLI::App& command, bool& verbose);
 void AddModeTo(CLI::App& command, std::string& mode);
 void AddCoreRadiusTo(CLI::App& command, double& radius);
 /** Adds --clearance; `fallback` is the default in words. */
@@ -85,6 +89,9 @@ std::string FieldText(vtkDataObject* data, const char* name);
 
 /** Prints the sentences in the array `Events` of the field data, if there are any. */
 void PrintEvents(vtkDataObject* data);
+
+/** Prints the field data `AmbiguousCorners`, if there are any. */
+void PrintAmbiguous(vtkFieldData* data);
 
 /** Returns the number of triangles among the cells of a mesh. */
 long long CountTriangles(vtkUnstructuredGrid* mesh);

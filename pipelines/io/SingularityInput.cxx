@@ -97,8 +97,12 @@ bool SingularityInput::HasHeight() const
   return DomainReader::HasHeight(vtkDataSet::SafeDownCast(this->Domain->GetOutputDataObject(0)));
 }
 
-void SingularityInput::PrintChoice() const
+void SingularityInput::PrintChoice(bool verbose) const
 {
+  if (!verbose)
+  {
+    return;
+  }
   if (this->RepairReport != nullptr)
   {
     PrintRepair(this->RepairReport);

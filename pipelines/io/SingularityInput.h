@@ -54,8 +54,8 @@ public:
     }
   }
 
-  /** Prints the distance of a repair, and the events and positions of chosen singularities. */
-  void PrintChoice() const;
+  /** Prints the distance of a repair, and the events and positions of chosen singularities, if it is verbose. */
+  void PrintChoice(bool verbose) const;
 
   /** Writes the singularities to a .csv file; does nothing if `file` is empty. */
   void Save(const std::string& file, OutputTransaction& outputs) const;

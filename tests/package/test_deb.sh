@@ -71,7 +71,7 @@ echo "== find_package(CrossField)"
 cmake -S "$consumer" -B "$folder/consumer" "-DCMAKE_PREFIX_PATH=$root/usr" >"$folder/consumer.log" 2>&1 &&
   cmake --build "$folder/consumer" >>"$folder/consumer.log" 2>&1 || fail "$(cat "$folder/consumer.log")"
 grep --fixed-strings "CrossField_DIR:PATH=$root/usr/" "$folder/consumer/CMakeCache.txt"
-"$folder/consumer/consumer"
+(cd "$folder" && consumer/example)
 
 echo "== Remove the package"
 "${dpkg[@]}" --remove crossfield >"$folder/remove.log" 2>&1 || fail "$(cat "$folder/remove.log")"

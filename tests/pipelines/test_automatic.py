@@ -147,7 +147,8 @@ class WithoutSingularities(ProgramTest):
         self.assertNotIn("singularities", self.chosen("hfield", "drilled.vtu"))
 
     def test_the_text_lists_what_was_chosen(self):
-        text = self.succeed("solve", "builtin:disk")
+        self.assertNotIn("chosen", self.succeed("solve", "builtin:disk"))
+        text = self.succeed("solve", "builtin:disk", "--verbose")
         self.assertEqual(text.count("quarter index 1 at "), 4)
         self.assertIn("4 singularities were chosen", text)
 

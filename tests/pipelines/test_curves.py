@@ -101,7 +101,7 @@ class Curves(ProgramTest):
         self.assertEqual(curve["kind"], "circle")
 
     def test_the_summary_has_a_line_for_each_curve(self):
-        text = self.succeed("quads", "plate.vtp", "-o", "quads.vtu", "--curve", "hole:circle", "--order", "2")
+        text = self.succeed("quads", "plate.vtp", "-o", "quads.vtu", "--curve", "hole:circle", "--order", "2", "--verbose")
         self.assertRegex(text, r"circle along 'hole': \d+ edges, nodes moved by at most 0\.\d+\n")
         self.assertRegex(text, r"curved quads of order 2: minimum over maximum of det J at least 0\.\d+, 0 inverted\n")
 

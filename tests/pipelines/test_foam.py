@@ -84,6 +84,30 @@ class Foam(ProgramTest):
         self.assertEqual({path: path.read_bytes() for path in case.rglob("*") if path.is_file()}, before)
         self.assertFalse((self.folder / "new").exists())
 
+    def test_meshes_and_dictionaries_of_others_are_not_replaced(self):
+        """The same command may run again, also after programs of OpenFOAM have rewritten a part of the mesh."""
+        mesh, dictionary = self.folder / "case/constant/polyMesh", self.folder / "case/system/blockMeshDict"
+        self.quads("plain.vtp", "case/")
+        self.quads("plain.vtp", "case/case.foam")
+        for name in ("points", "boundary"):  # as transformPoints and foamDictionary do
+            (mesh / name).write_text("FoamFile\n{\n    version     2.0;\n}\n")
+        self.quads("plain.vtp", "case/")
+        self.refuse("quads", "plain.vtp", "-o", "case/other.foam", says=["mesh of 'case/case.foam'", "give that name"])
+        edited = dictionary.read_text().replace("scale 1;", "scale 2;")
+        dictionary.write_text(edited)
+        self.quads("plain.vtp", "case/")
+        dictionary.write_text("FoamFile {}\n")
+        self.refuse("quads", "plain.vtp", "-o", "case/", says=["'case/system/blockMeshDict' was not written by CrossField", "remove it"])
+        dictionary.unlink()
+        for path in mesh.iterdir():
+            path.write_text("FoamFile\n{\n    version     2.0;\n}\n")
+        self.refuse("quads", "plain.vtp", "-o", "case/", says=["mesh of another program", "remove this folder"])
+        for path in list(mesh.iterdir()):
+            path.rename(str(path) + ".gz")
+        self.refuse("quads", "plain.vtp", "-o", "case/", says=["mesh of another program"])
+        shutil.rmtree(mesh)  # the remedy
+        self.quads("plain.vtp", "case/")
+
     @unittest.skipUnless(HAS_FOAM, "OpenFOAM is not installed")
     def test_checkmesh_accepts_layers_curves_holes_and_sweeps(self):
         for number, (domain, layers, *arguments) in enumerate((

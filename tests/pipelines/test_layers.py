@@ -77,7 +77,7 @@ class Layers(ProgramTest):
 
     def test_layers_are_printed(self):
         self.assertIn("layer of 'outer1': ", self.succeed("quads", "builtin:square", "-o", "quads.vtu", "--size", "0.1",
-                                                          "--layers", "outer1:1e-3"))
+                                                          "--layers", "outer1:1e-3", "--verbose"))
         self.assertNotIn("layers", self.report("builtin:square", "--size", "0.1"))
 
     def test_impossible_prescriptions_are_refused(self):

@@ -3,9 +3,11 @@ import json
 import math
 import pathlib
 import re
+import struct
 import time
 import unittest
 
+from domain_files import write_vtp
 from program import ProgramTest, write_configuration
 
 PARTS = pathlib.Path(__file__).resolve().parents[1] / "data" / "parts"
@@ -38,6 +40,62 @@ class Quads(ProgramTest):
         for name in ("quads.vtu", "layout.vtp", "blocks.vtm", "blocks/block0.vts",
                      "blocks/block4.vts"):
             self.assertTrue((self.folder / name).is_file(), name)
+
+    def test_the_text_is_two_lines_unless_it_is_verbose(self):
+        """The events are in the report in any case; warnings are on standard error."""
+        arguments = ("quads", "builtin:disk", "-o", "quads.vtu", "--blocks", "blocks.vtm", "--quads", "300")
+        made, written = self.succeed(*arguments).splitlines()
+        self.assertRegex(made, r"^\d+ quads in 5 blocks, irregular nodes by valence \{\"3\":4\}, minimum scaled Jacobian 0\.\d+ ")
+        self.assertEqual(written, "Written to quads.vtu, blocks.vtm")
+        verbose = self.succeed(*arguments, "--verbose").splitlines()
+        events = json.loads(self.succeed(*arguments, "--json", "-"))["events"]
+        self.assertEqual(verbose[:len(events)], events)
+        self.assertEqual(verbose[-2:], [made, written])
+        self.assertEqual(self.succeed(*arguments, "--json", "report.json"), "")
+        result = self.run_program("quads", "builtin:rectangle", "-o", "a.vtu", "--count", "outer0:400")
+        self.assertEqual((result.stdout.count("\n"), result.stderr[:8]), (2, "Warning:"))
+
+    def test_impossible_numbers_of_quads_are_refused_before_any_work(self):
+        begin = time.time()
+        for arguments, says in ((("--count", "outer0:100000000"), ("along side 'outer0'", "fewer edges")),
+                                (("--count", "outer0:1e8"), ("maximum of 5e+07",)),
+                                (("--quads", "2e9"), ("fewer quads",)), (("--size", "1e-6"), ("larger size",))):
+            self.refuse("quads", "builtin:square", "-o", "quads.vtu", *arguments, says=says)
+        self.assertLess(time.time() - begin, 10)
+
+    def test_corners_on_the_threshold_are_smooth(self):
+        """An octagonal ring in single precision, as ParaView's Disk: every corner turns by 45 degrees up to rounding."""
+        single = [struct.unpack("f", struct.pack("f", radius * part))[0] for radius in (0.5, 0.25)
+                  for i in range(8) for part in (math.cos(i * math.pi / 4), math.sin(i * math.pi / 4))]
+        points = list(zip(single[::2], single[1::2]))
+        write_vtp(self.folder / "ring.vtp", points, [[*range(8), 0], [*range(8, 16), 8]])
+        report = self.report("ring.vtp")
+        self.assertEqual((report["irregular"], report["blocks"], report["ambiguous_corners"]), ({}, 1, 16))
+        self.assertIn("16 corners turn by 45 or 135", self.succeed("quads", "ring.vtp", "-o", "quads.vtu", "--verbose"))
+        for command in ("check", "corners"):
+            found = json.loads(self.succeed(command, "ring.vtp", "--json", "-"))
+            self.assertEqual([corner["quarter_index"] for corner in found["corners"]], 16 * [0], command)
+            self.assertEqual(found["ambiguous_corners"], 16)
+            self.assertIn("16 corners turn by 45 or 135", self.succeed(command, "ring.vtp"))
+            self.assertNotIn("ambiguous_corners", json.loads(self.succeed(command, "builtin:square", "--json", "-")))
+
+    def test_domains_of_several_materials_are_meshed_with_a_warning(self):
+        points = [(x, y) for y in range(3) for x in range(3)]
+        cells = [(a, a + 1, a + 4) for a in (0, 1, 3, 4)] + [(a, a + 4, a + 3) for a in (0, 1, 3, 4)]
+        text = ('<VTKFile type="PolyData" version="1.0"><PolyData><Piece NumberOfPoints="9" NumberOfPolys="8"><Points>'
+                '<DataArray type="Float64" NumberOfComponents="3" format="ascii">%s</DataArray></Points><Polys>'
+                '<DataArray type="Int64" Name="connectivity" format="ascii">%s</DataArray>'
+                '<DataArray type="Int64" Name="offsets" format="ascii">%s</DataArray></Polys><CellData>'
+                '<DataArray type="Int32" Name="%s" format="ascii">%s</DataArray></CellData></Piece></PolyData></VTKFile>')
+        for name, values, warns in (("MaterialIds", (7, 7, 8, 8, 7, 7, 8, 8), True), ("MaterialIds", 8 * (3,), False),
+                                    ("BlockId", (7, 7, 8, 8, 7, 7, 8, 8), False), ("Number", range(8), False)):
+            (self.folder / "domain.vtp").write_text(text % (
+                " ".join("%d %d 0" % point for point in points), " ".join("%d %d %d" % cell for cell in cells),
+                " ".join(str(3 * i) for i in range(1, 9)), name, " ".join(map(str, values))))
+            result = self.run_program("quads", "domain.vtp", "-o", "quads.vtu", "--quads", "100")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            expected = "Warning: The cells of the domain have 2 values in the array 'MaterialIds'" if warns else ""
+            self.assertEqual((result.stderr[:len(expected)], result.stderr.count("\n")), (expected, int(warns)))
 
     def test_singularities_are_those_used(self):
         """After the repair of the holonomy; the same mesh is made of them again."""

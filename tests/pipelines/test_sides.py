@@ -2,8 +2,11 @@
 refused in one sentence, without files."""
 import json
 import math
+import pathlib
+import re
 import shutil
 import subprocess
+import time
 import unittest
 
 from program import SENTENCE, ProgramTest
@@ -68,6 +71,16 @@ class Sides(ProgramTest):
     def edges(self, domain, *arguments):
         return {side["name"]: side["edges"] for side in self.report(domain, *arguments)["sides"]}
 
+    def test_counts_that_contradict_the_other_sides_are_refused_early(self):
+        """Smoothing took 20 s, and quads stayed inverted; the remedies in the message work."""
+        channel = pathlib.Path(__file__).resolve().parents[1] / "data" / "layers" / "cylinder.vtp"
+        begin = time.time()
+        says = self.refuse("quads", channel, "-o", "quads.vtu", "--count", "outlet:400", says=["400 edges on side 'outlet'", "more quads"])
+        self.assertLess(time.time() - begin, 10)
+        nearer = re.search(r"nearer to (\d+)", says)[1]
+        for remedy in (("--count", "outlet:" + nearer), ("--count", "outlet:400", "--quads", "20000")):
+            self.assertEqual(self.report(channel, *remedy)["inverted"], 0)
+
     def test_periodic_sides_have_matching_nodes(self):
         # so many points that the program would remove some of them
         write_domain(self.folder / "passage.vtp", [passage(2000), circle(40, 0.15, (2.1, 0.55), lambda i: "hole")])
@@ -86,7 +99,7 @@ class Sides(ProgramTest):
         self.assertAlmostEqual(pair["angle"], -0.7, delta=1e-13)
         self.assertLess(math.dist([pair["centre"][axis] for axis in "xyz"], (0, 0, 0)), 1e-13)
         self.assertLessEqual(pair["mismatch"], 1e-12)
-        text = self.succeed("quads", "sector.vtp", "-o", "a.msh", "--order", "2", *arguments)
+        text = self.succeed("quads", "sector.vtp", "-o", "a.msh", "--order", "2", "--verbose", *arguments)
         self.assertIn("periodic sides 'high' and 'low': 25 edges, rotation by -40.107", text)
         links = (self.folder / "a.msh").read_text().split("$Periodic\n")[1].split()
         self.assertEqual(int(links[21]), 2 * 25 + 1, "all nodes of the side")

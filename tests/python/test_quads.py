@@ -268,6 +268,62 @@ class Quads(unittest.TestCase):
                 self.assertEqual(written.read(), by_program.read(), "the old file")
             self.assertEqual(len(os.listdir(folder)), 6, "no temporary files")
 
+    def test_unknown_endings_are_refused_before_anything_is_written(self):
+        mesh = crossfield.quads("builtin:square", [], count=16)
+        field = crossfield.solve("builtin:square", [], size=0.5)
+        with tempfile.TemporaryDirectory() as folder:
+            for result, listed in ((mesh, ".msh, .su2, .vtk, .xyz, or a folder .*, or one of .avs"), (mesh.extrude(1.0), ".msh, .su2"),
+                                   (field, "must end in .vtu")):
+                for name in ("a.stl", "a.nothing", "a"):
+                    with self.assertRaisesRegex(crossfield.Error, "'.*%s'.*%s" % (name, listed)):
+                        result.write(os.path.join(folder, name))
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_arguments_of_wrong_types_are_type_errors(self):
+        square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+        for function, arguments, sentence in (
+                (crossfield.quads, {"count": "400"}, "The argument count is '400'; give a whole number, or None."),
+                (crossfield.quads, {"count": 400.5}, "The argument count is 400.5; give a whole number, or None."),
+                (crossfield.quads, {"count": 1e12}, "The argument count is 1000000000000.0; give a whole number of at most "
+                                                    "2147483647, or None."),
+                (crossfield.quads, {"size": {}}, "The argument size is {}; give a number, or None."),
+                (crossfield.quads, {"order": None}, "The argument order is None; give a whole number."),
+                (crossfield.quads, {"split": "no"}, "The argument split is 'no'; give True or False."),
+                (crossfield.quads, {"sizing": {"auto": 1}}, "The argument sizing is {'auto': 1}; give a text."),
+                (crossfield.quads, {"counts": [("outer0", 3)]},
+                 "The argument counts is [('outer0', 3)]; give a dictionary by the names of sides, as {'wall': 40}."),
+                (crossfield.quads, {"counts": {"outer0": None}}, "The count of 'outer0' is None; give a whole number."),
+                (crossfield.quads, {"sizes": {"outer0": "x"}}, "The size of 'outer0' is 'x'; give a length."),
+                (crossfield.quads, {"progressions": {"outer0": "2"}},
+                 "The progression of 'outer0' is '2'; give a number, or a tuple of numbers."),
+                (crossfield.quads, {"layers": 0.1}, "The argument layers is 0.1; give a dictionary by the names of sides, as "
+                                                    "{'wall': (1e-4, 1.2)}."),
+                (crossfield.quads, {"layers": {"outer0": None}},
+                 "The layer of 'outer0' is None; give the height of its first row, or a tuple of numbers."),
+                (crossfield.quads, {"curves": 3}, "The argument curves is 3; give a dictionary by the names of sides, as "
+                                                  "{'hole': 'circle'}."),
+                (crossfield.quads, {"periodic": 3}, "The argument periodic has the entry 3; give pairs of names of sides, as "
+                                                    "{'left': 'right'}."),
+                (crossfield.quads, {"singularities": {"x": 1}}, "The singularities must be an array of numbers with 3 or 4 "
+                                                                "columns; its shape is not that of an array."),
+                (crossfield.solve, {"size": "0.1"}, "The argument size is '0.1'; give a number, or None."),
+                (crossfield.check, {"corner_angle": None}, "The argument corner_angle is None; give a number."),
+                (crossfield.optimize, {"pairs": "2"}, "The argument pairs is '2'; give a whole number.")):
+            with self.assertRaises(TypeError) as caught:
+                function(square, **arguments)
+            self.assertIsInstance(caught.exception, crossfield.Error)
+            self.assertEqual(str(caught.exception), sentence)
+        for domain in (None, 3, {"points": square}):
+            self.assertRaisesRegex(TypeError, "The domain is of the type .*; give an array of points", crossfield.quads, domain)
+        numbers = crossfield.quads(square, count=np.float64(100.0), order=np.int32(1), cap_corners=np.bool_(True))
+        self.assertEqual(numbers.report["quads"], crossfield.quads(square, count=100).report["quads"])
+
+    def test_layers_in_the_form_of_the_interface(self):
+        square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        first = crossfield.quads(square, size=0.1, layers={"outer0": (1e-2, 1.3)}).report["layers"]
+        for layers in ("outer0:1e-2,1.3", {"outer0": "1e-2,1.3"}, {"outer0": [1e-2, 1.3]}, {"outer0": np.array([1e-2, 1.3])}):
+            self.assertEqual(crossfield.quads(square, size=0.1, layers=layers).report["layers"], first)
+
     def test_other_endings_are_written_by_meshio(self):
         mesh, written = crossfield.quads("builtin:square", [], count=16), []
         fake = types.ModuleType("meshio")
@@ -277,7 +333,7 @@ class Quads(unittest.TestCase):
                 self.parts = points, cells, cell_data
 
             def write(self, path):
-                if path.endswith(".nothing"):
+                if path.endswith(".bdf"):
                     raise ValueError("no such format")
                 written.append((path, *self.parts))
 
@@ -290,7 +346,7 @@ class Quads(unittest.TestCase):
             sys.modules["meshio"] = fake
             mesh.write("quads.med")
             with self.assertRaisesRegex(crossfield.Error, "no such format"):
-                mesh.write("quads.nothing")
+                mesh.write("quads.bdf")
         finally:
             del sys.modules["meshio"]
             if before is not None:

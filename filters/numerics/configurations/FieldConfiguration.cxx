@@ -166,16 +166,20 @@ FieldConfiguration ReadConfiguration(
     }
   }
   // 2. Place the differences between the indices of corners in the field and the prescribed ones
-  // inside.
+  // inside, except opposite ones at ties: rounding decided about these in the field, and the boundary is smooth there.
+  Configuration ties;
   for (std::size_t i = 0; i < count.corners.size(); ++i)
   {
     const CountedCorner& corner = count.corners[i];
     if (fieldIndices[i] != corner.quarterIndex)
     {
       result.otherCorners.push_back({ corner.position, fieldIndices[i] });
-      AddUnits(corner.position, fieldIndices[i] - corner.quarterIndex, found);
+      const bool isTie = !corner.chosen && IsTie(corner.Turning());
+      AddUnits(corner.position, fieldIndices[i] - corner.quarterIndex, isTie ? ties : found);
     }
   }
+  CancelOpposites(ties, std::numeric_limits<double>::infinity());
+  found.insert(found.end(), ties.begin(), ties.end());
   // 3. Move singularities to positions that a mesh can distinguish from the boundary and from each
   // other.
   CancelOpposites(found, 3.0 * coarse.meshSize);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -88,21 +89,25 @@ private:
       {
         this->Names[group] = name;
       }
+      else if (dimension == 2)
+      {
+        this->SurfaceNames[group] = name;
+      }
     }
   }
 
-  /// Reads the physical groups of curves.
+  /// Reads the physical groups of curves and surfaces.
   void ReadEntities()
   {
     const std::size_t points = this->Stream.Count();
     const std::size_t curves = this->Stream.Count();
+    const std::size_t surfaces = this->Stream.Count();
     this->Stream.Count();
-    this->Stream.Count();
-    for (std::size_t i = 0; i < points + curves; ++i)
+    for (std::size_t i = 0; i < points + curves + surfaces; ++i)
     {
-      const bool isCurve = i >= points;
+      const bool isPoint = i < points;
       const int tag = this->Stream.Integer();
-      for (int number = 0; number < (isCurve ? 6 : 3); ++number)
+      for (int number = 0; number < (isPoint ? 3 : 6); ++number)
       {
         this->Stream.Number();
       }
@@ -110,12 +115,13 @@ private:
       for (std::size_t k = 0; k < groups; ++k)
       {
         const int group = this->Stream.Integer();
-        if (isCurve && k == 0)
+        if (!isPoint && k == 0)
         {
-          this->GroupOfCurve[tag] = GroupNumber(group);
+          (i < points + curves ? this->GroupOfCurve : this->GroupOfSurface)[tag] =
+            GroupNumber(group);
         }
       }
-      const std::size_t ends = isCurve ? this->Stream.Count() : 0;
+      const std::size_t ends = isPoint ? 0 : this->Stream.Count();
       for (std::size_t k = 0; k < ends; ++k)
       {
         this->Stream.Integer();
@@ -243,12 +249,13 @@ private:
       const int entity = this->Stream.Integer();
       const MshElementType shape = this->RequireType(this->Stream.Integer());
       const std::size_t count = this->Stream.Count();
-      const auto group = this->GroupOfCurve.find(entity);
+      const auto& groups = shape.dimension == 1 ? this->GroupOfCurve : this->GroupOfSurface;
+      const auto group = groups.find(entity);
       for (std::size_t i = 0; i < count; ++i)
       {
         this->Stream.Count();
         this->ReadElement(
-          shape, shape.dimension == 1 && group != this->GroupOfCurve.end() ? group->second : 0);
+          shape, shape.dimension > 0 && group != groups.end() ? group->second : 0);
       }
     }
   }
@@ -261,6 +268,10 @@ private:
       nodes.push_back(this->Stream.Count());
     }
     this->HasFaces = this->HasFaces || shape.dimension == 2;
+    if (shape.dimension == 2 && group != 0)
+    {
+      this->UsedSurfaces.insert(group);
+    }
     if (shape.dimension == 0)
     {
       return;
@@ -337,7 +348,31 @@ private:
                      : " lines of the mesh inside the domain were") +
         " left out.");
     }
+    this->WarnOfSurfaces(drawing);
     return drawing;
+  }
+
+  /// Warns if the faces have several physical groups, which a drawing does not keep.
+  void WarnOfSurfaces(Drawing& drawing) const
+  {
+    constexpr std::size_t Listed = 5;
+    std::string list;
+    std::size_t count = 0;
+    for (const int group : this->UsedSurfaces)
+    {
+      const auto found = this->SurfaceNames.find(group);
+      if (++count <= Listed)
+      {
+        list += (count == 1 ? "" : ", ") +
+          (found == this->SurfaceNames.end() ? std::to_string(group) : "'" + found->second + "'");
+      }
+    }
+    if (count > 1)
+    {
+      drawing.warnings.push_back("The mesh has " + std::to_string(count) +
+        " physical surfaces (" + list + (count > Listed ? ", ..." : "") +
+        "), but the domain is meshed as one, without lines between them; to mesh one of them, give its elements only.");
+    }
   }
 
   void AddPieces(const Edge& edge, Drawing& drawing) const
@@ -360,7 +395,10 @@ private:
   MshStream Stream;
   bool HasFaces = false;
   std::map<int, std::string> Names;
+  std::map<int, std::string> SurfaceNames;
+  std::set<int> UsedSurfaces;
   std::map<int, int> GroupOfCurve;
+  std::map<int, int> GroupOfSurface;
   std::unordered_map<std::size_t, Eigen::Vector3d> NodeAt;
   std::vector<Edge> Edges;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> IndexOf;

@@ -2,6 +2,7 @@
 
 #include "BlockLattice.h"
 #include "Error.h"
+#include "FoamCase.h"
 #include "WriteEnSight.h"
 #include "WriteExodus.h"
 #include "WriteFoam.h"
@@ -68,14 +69,7 @@ std::vector<FileText> EnSightFiles(const ExportMesh& mesh, const std::string& na
 std::vector<FileText> WriteFoamFiles(const ExportMesh& mesh, const std::string& name)
 {
   const std::string folder = FoamFolder(name);
-  std::string marker = name;
-  if (name == folder)
-  {
-    const std::string last =
-      std::filesystem::path(name).parent_path().filename().string(); // without the / at the end
-    marker += (last.empty() || last[0] == '.' ? "case" : last) + ".foam";
-  }
-  std::vector<FileText> files = { { marker, "" } };
+  std::vector<FileText> files = { { FoamMarker(name), "" } };
   for (auto& [file, text] : WriteFoam(mesh))
   {
     files.push_back({ folder + file, std::move(text) });

@@ -61,8 +61,7 @@ public:
     : Mesh(mesh)
     , Blocks(blocks)
   {
-    this->Text.Add(
-      "// Editable: blockMesh makes as many cells from it, but not the same points.\n");
+    this->Text.Add(BlockMeshNote);
     AddFoamHeader(this->Text, "dictionary", "system", "blockMeshDict");
   }
 

@@ -7,6 +7,10 @@
 
 namespace crossfield
 {
+/// First line of system/blockMeshDict.
+constexpr const char* BlockMeshNote =
+  "// Editable: blockMesh makes as many cells from it, but not the same points.\n";
+
 /// Returns the text of system/blockMeshDict, empty if the blocks of the mesh are not known: the blocks of a mesh
 /// of hexahedra and prisms of order 1, cut so that they meet in whole faces (CutBlocks.h), with the numbers of
 /// cells, and the patches of FoamMesh.h, of type `patch` if they are cyclic there.

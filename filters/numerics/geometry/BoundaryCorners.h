@@ -2,11 +2,28 @@
 
 #include "PlanarDomain.h"
 
+#include <cmath>
+
 namespace crossfield
 {
 /// Distance, relative to the diagonal, within which a point counts as being on a vertex or side of
 /// the boundary; coordinates may have been stored in single precision.
 constexpr double BoundaryReach = 1e-6;
+
+/// Tolerance in radians within which a turning angle counts as π/4 or 3π/4, where two quarter indices are equally good.
+/// Coordinates in single precision, as ParaView's sources write them, are off by 2⁻²⁴ of the largest one, so the angle
+/// between two edges of length L is off by up to 2√2 · 2⁻²⁴ of the largest coordinate over L: by this for L of 1/600.
+constexpr double TieRounding = 1e-4;
+
+/// Returns whether a turning angle is within a tolerance of π/4 or 3π/4 to either side.
+inline bool IsTie(double turning, double tolerance = TieRounding)
+{
+  return std::abs(std::abs(std::remainder(turning, 0.5 * Pi)) - 0.25 * Pi) <= tolerance;
+}
+
+/// Tolerance in radians, 1°, within which a tie is reported as ambiguous: coordinates that were rounded to three digits
+/// move angles by about as much.
+constexpr double AmbiguousAngle = Pi / 180.0;
 
 /// Returns whether a boundary vertex with this turning angle is a corner; otherwise it is part of a
 /// curve.
@@ -31,7 +48,7 @@ struct Corner
   /// boundary (paper, "Generalized Poincaré-Hopf theorem").
   bool Cancellable() const
   {
-    return this->angle >= 0.75 * Pi - AngleRounding && this->angle < Pi - AngleRounding;
+    return this->angle >= 0.75 * Pi - TieRounding && this->angle < Pi - AngleRounding;
   }
 };
 

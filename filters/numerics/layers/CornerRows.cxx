@@ -74,11 +74,11 @@ std::string DescribeRule(const CornerRule& rule)
 
 CornerRows DefaultRows(double angle)
 {
-  if (angle <= 135.0 * Degree + AngleRounding)
+  if (angle <= 135.0 * Degree + TieRounding)
   {
     return CornerRows::End;
   }
-  return angle <= 315.0 * Degree + AngleRounding ? CornerRows::Turn : CornerRows::Leave;
+  return angle <= 315.0 * Degree + TieRounding ? CornerRows::Turn : CornerRows::Leave;
 }
 
 int QuarterIndexFor(const Corner& corner, CornerRows rows)

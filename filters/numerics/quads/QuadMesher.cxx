@@ -1,5 +1,6 @@
 #include "QuadMesher.h"
 
+#include "CountCheck.h"
 #include "BoundaryOrder.h"
 #include "BoundarySymmetry.h"
 #include "Candidates.h"
@@ -104,6 +105,8 @@ public:
     result.layoutSeconds += stopwatch.Lap();
   }
 
+  double DomainArea() const { return this->Area; }
+
   void Smooth(QuadResult& result, const Progress& progress) const
   {
     Stopwatch stopwatch;
@@ -166,9 +169,6 @@ private:
   /// A coarse mesh is accepted if its minimum scaled Jacobian is this fraction of that with all
   /// blocks.
   static constexpr double AcceptedFraction = 0.5;
-  /// Points, quads, lattices, energy, and corrections of four numbers per point: 770 bytes per quad
-  /// were measured with a million quads, 930 with uniform sizes.
-  static constexpr double BytesPerQuad = 1000.0;
 
   /// Returns all sums of edge counts that the options prescribe.
   static std::vector<CountSum> SumsOf(const SeamlessMap& map, const BoundaryCurves& curves,
@@ -418,6 +418,7 @@ QuadResult MakeQuads(
   Mesher mesher(map, curves, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);
+  RequireSuitableCounts(result.mesh, mesher.DomainArea(), options.sides, options.prescribed);
   progress.Report(0.4);
   const double smoothed = options.coarse ? 0.7 : 1.0;
   mesher.Smooth(result, progress.Part(0.4, smoothed));

@@ -22,19 +22,19 @@ double Threshold(double angle, double price)
 
 int SmallestMinimiser(double angle, double price)
 {
-  return static_cast<int>(std::ceil(Threshold(angle, price) - 1.0 - AngleRounding));
+  return static_cast<int>(std::ceil(Threshold(angle, price) - 1.0 - TieRounding));
 }
 
 int LargestMinimiser(double angle, double price)
 {
-  return static_cast<int>(std::floor(Threshold(angle, price) + AngleRounding));
+  return static_cast<int>(std::floor(Threshold(angle, price) + TieRounding));
 }
 
 /// Returns the rounding error of the cost of a quarter at a corner, which is an angle divided by
 /// the corner angle.
 double CostRounding(const Corner& corner)
 {
-  return Pi * AngleRounding / corner.angle;
+  return Pi * TieRounding / corner.angle;
 }
 
 /// Assignment problem, with one array entry per corner.
@@ -169,17 +169,27 @@ private:
                     : -NextQuarterCost(this->Corners[i].angle, indices[i] - 1);
   }
 
-  /// Returns the first corner where a step costs the minimum, or the number of corners when no step
-  /// is possible.
+  /// Returns the corner where a step costs the minimum, or the number of corners when no step is possible: of equal
+  /// ones the first whose index is then nearest to that of a smooth boundary.
   std::size_t Cheapest(const std::vector<int>& indices, int step) const
   {
     std::size_t best = indices.size();
     for (std::size_t i = 0; i < indices.size(); ++i)
     {
-      if (!this->Corners[i].overridden &&
-        (best == indices.size() ||
-          this->StepCost(indices, i, step) <
-            this->StepCost(indices, best, step) - CostRounding(this->Corners[i])))
+      if (this->Corners[i].overridden)
+      {
+        continue;
+      }
+      if (best == indices.size())
+      {
+        best = i;
+        continue;
+      }
+      const double saved =
+        this->StepCost(indices, best, step) - this->StepCost(indices, i, step);
+      const double rounding = CostRounding(this->Corners[i]);
+      const bool isSmoother = std::abs(indices[i] + step) < std::abs(indices[best] + step);
+      if (saved > rounding || (saved >= -rounding && isSmoother))
       {
         best = i;
       }

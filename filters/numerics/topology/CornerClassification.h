@@ -73,7 +73,8 @@ struct CornerClassification
 /// minimum. It starts from the indices that are optimal when every quarter at the boundary saves
 /// nothing and costs c (the excess rule), and raises them one by one at the cheapest corner, until
 /// the sum is 4χ or a quarter costs more than the interior singularity that it saves. Of equally
-/// cheap assignments the result has the fewest interior quarters and raises earlier corners first.
+/// cheap assignments the result has the fewest interior quarters, the fewest corners on smooth boundaries, and raises
+/// earlier corners first.
 /// The others are found by moving one quarter, or by exchanging one between two corners, and are
 /// marked as ties.
 ///

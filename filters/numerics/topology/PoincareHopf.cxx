@@ -78,18 +78,28 @@ PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInterio
 
 double SmallestRotation(double turning)
 {
-  double rotation = std::remainder(turning, 0.5 * Pi);
   // Rounding of the coordinates may put an angle of exactly π/4 on either side.
-  if (rotation < -0.25 * Pi + AngleRounding)
+  if (!IsTie(turning))
   {
-    rotation += 0.5 * Pi;
+    return std::remainder(turning, 0.5 * Pi);
   }
-  return rotation;
+  if (std::abs(turning) < 0.5 * Pi)
+  {
+    return turning; // smooth
+  }
+  return turning - 0.5 * Pi * (turning > 0.0 ? 1.0 : -2.0);
 }
 
 int SmallestRotationIndex(double turning)
 {
   return static_cast<int>(std::lround((turning - SmallestRotation(turning)) / (0.5 * Pi)));
+}
+
+int CountAmbiguous(const PoincareHopfCount& count)
+{
+  return static_cast<int>(std::count_if(count.corners.begin(), count.corners.end(),
+    [](const CountedCorner& corner)
+    { return !corner.chosen && IsTie(corner.Turning(), AmbiguousAngle); }));
 }
 
 std::vector<CornerChoice> CapCorners(

@@ -30,7 +30,7 @@ struct CountedCorner : Corner
 struct PoincareHopfCount
 {
   int eulerCharacteristic = 0;
-  /// (1/2π) Σ over corners of the smallest rotation of the cross, in (−π/4, π/4], that keeps it
+  /// (1/2π) Σ over corners of the smallest rotation of the cross, in [−π/4, π/4], that keeps it
   /// aligned with the boundary. At a corner with a chosen quarter index k, the rotation is the
   /// turning angle − k π/2.
   double valence = 0.0;
@@ -47,8 +47,9 @@ struct PoincareHopfCount
   bool Consistent() const { return requiredInteriorQuarters == givenInteriorQuarters; }
 };
 
-/// Returns the smallest rotation of a cross, in (−π/4, π/4], that keeps it aligned where the
-/// tangent turns.
+/// Returns the smallest rotation of a cross, in [−π/4, π/4] up to TieRounding, that keeps it aligned where the tangent
+/// turns. Of two equal ones, it is the turning itself at ±π/4, so that the boundary is smooth there, and the positive
+/// one at ±3π/4.
 double SmallestRotation(double turning);
 
 /// Returns the quarter index that the smallest rotation leaves at a corner: (turning − rotation) /
@@ -59,6 +60,9 @@ int SmallestRotationIndex(double turning);
 /// their vertices, which need not be corners. Throws Error when a choice is not at a vertex.
 PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
   double cornerAngle = DefaultCornerAngle, const std::vector<CornerChoice>& choices = {});
+
+/// Returns the number of corners without a chosen index that are within AmbiguousAngle of a tie.
+int CountAmbiguous(const PoincareHopfCount& count);
 
 /// Returns the choices with which a count was made, completed by index 1 for the corners whose
 /// smallest rotation has index 2 or more. Such corners have no angle in a seamless map

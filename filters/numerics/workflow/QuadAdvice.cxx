@@ -5,7 +5,6 @@
 #include "OptimizerReport.h"
 #include "SmoothBoundary.h"
 
-#include <limits>
 #include <sstream>
 
 namespace crossfield
@@ -29,20 +28,6 @@ std::string SplitAdvice(int count, int sign)
   return "; to have " + std::to_string(count) + " of index " + std::to_string(sign) +
     " instead, split it (SplitSingularities, --split).";
 }
-}
-
-void RequireCountable(const PlanarDomain& domain, double quadSize)
-{
-  constexpr double MaximumQuads = std::numeric_limits<int>::max();
-  const double quads = domain.Area() / quadSize / quadSize;
-  if (quadSize > 0.0 && quads > MaximumQuads)
-  {
-    std::ostringstream text;
-    text.precision(3);
-    text << "The domain would need more quads of size " << quadSize
-         << " than the 2 billion that can be numbered; use a larger size.";
-    throw Error(text.str());
-  }
 }
 
 void RequireNodes(const PlanarDomain& domain, const Configuration& singularities)

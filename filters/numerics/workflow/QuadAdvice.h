@@ -19,10 +19,6 @@ struct SmallerSize
   std::size_t quads = 0;
 };
 
-/// Throws Error if a domain needs more quads of a size than can be numbered, which would otherwise
-/// be noticed after a long search for edge counts.
-void RequireCountable(const PlanarDomain& domain, double quadSize);
-
 /// Throws Error if an interior singularity has a quarter index above 2, for which there is no node.
 void RequireNodes(const PlanarDomain& domain, const Configuration& singularities);
 

@@ -113,6 +113,7 @@ struct QuadWorkflowResult
   Configuration singularities; ///< Given or chosen, at the positions of their nodes.
   double moved = 0.0;          ///< Maximum distance of a node from the position given or chosen.
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
+  int ambiguousCorners = 0; ///< Corners that are not prescribed and within AmbiguousAngle of a tie.
   /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh
   /// was refined; one
   /// sentence each.

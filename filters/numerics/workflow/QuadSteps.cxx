@@ -10,6 +10,7 @@
 #include "PatternStart.h"
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
+#include "QuadBudget.h"
 #include "RequestedSingularities.h"
 #include "SizingChoice.h"
 #include "Stopwatch.h"
@@ -249,7 +250,7 @@ private:
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);
       options.sizes.field = std::move(sizes.field);
       options.quadSize *= sizes.mean;
-      RequireCountable(this->Domain, options.quadSize);
+      RequireQuadSize(this->Domain, options.quadSize);
     }
     return options;
   }
@@ -460,10 +461,6 @@ private:
 QuadWorkflowResult RunQuadSteps(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
-  if (request.sizing != Sizing::Field) // whose sizes are factors
-  {
-    RequireCountable(domain, request.quadSize);
-  }
   const double chosen = request.singularities ? 0.0 : 0.5;
   const Progress remaining = progress.Part(chosen, 1.0);
   Workflow workflow(domain, request);

@@ -5,7 +5,9 @@
 #include "LayerRuns.h"
 #include "LayerSteps.h"
 #include "PeriodicSteps.h"
+#include "PoincareHopf.h"
 #include "QuadAdvice.h"
+#include "QuadBudget.h"
 #include "SideSizes.h"
 
 #include <string>
@@ -39,6 +41,7 @@ void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& polygons, const QuadRequest& requested, const Progress& progress)
 {
+  RequireQuadBudget(polygons, requested);
   const CurvedRequest curved = WithCurves(polygons, requested);
   const PlanarDomain& domain = curved.domain;
   const QuadRequest given = WithPeriodicSides(domain, curved.request);
@@ -83,6 +86,8 @@ QuadWorkflowResult MakeQuadMesh(
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
   }
   AddWarnings(given, result);
+  result.ambiguousCorners =
+    CountAmbiguous(CountQuarters(domain.loops, 0, DefaultCornerAngle, request.corners));
   result.periodic = MeasurePeriodic(result.quads.mesh);
   result.boundary = given.curves;
   result.curves = MeasureCurves(polygons, given.curves, result.quads.mesh);

@@ -15,6 +15,7 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -59,6 +60,22 @@ void WriteCorners(const crossfield::CornerClassification& classification,
     report, names::Energy, only, [](const auto& result) { return result.energy; });
   AddColumn<vtkIntArray>(report, names::InteriorQuarters, only,
     [](const auto& result) { return result.interiorQuarters; });
+  WriteAmbiguous(static_cast<int>(std::count_if(corners.begin(), corners.end(),
+                   [](const Corner& corner)
+                   {
+                     return !corner.overridden &&
+                       crossfield::IsTie(corner.Turning(), crossfield::AmbiguousAngle);
+                   })),
+    report);
+}
+
+//------------------------------------------------------------------------------
+void WriteAmbiguous(int count, vtkFieldData* report)
+{
+  if (count > 0)
+  {
+    ColumnWriting::AddIntegers(report, names::AmbiguousCorners, { count });
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "PoincareHopf.h"
 
 class vtkDataSet;
+class vtkFieldData;
 class vtkPolyData;
 class vtkTable;
 
@@ -15,6 +16,9 @@ namespace CornerConversion
 /** Writes the corners with the point arrays and field data of vtkBoundaryCornerClassifier. */
 void WriteCorners(const crossfield::CornerClassification& classification,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
+
+/** Writes the number of ambiguous corners as `AmbiguousCorners`, unless it is 0. */
+void WriteAmbiguous(int count, vtkFieldData* report);
 
 /** Writes one row per scenario; see vtkBoundaryCornerClassifier. */
 void WriteScenarios(const crossfield::CornerClassification& classification, vtkTable* output);

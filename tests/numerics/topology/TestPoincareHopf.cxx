@@ -59,17 +59,20 @@ TEST(PoincareHopf, SmallestRotationKeepsTheCrossAligned)
   {
     const double turning = random.Uniform(-Pi, Pi);
     const double rotation = SmallestRotation(turning);
-    EXPECT_GT(rotation, -0.25 * Pi);
-    EXPECT_LE(rotation, 0.25 * Pi);
+    EXPECT_LE(std::abs(rotation), 0.25 * Pi);
     EXPECT_NEAR(std::remainder(turning - rotation, 0.5 * Pi), 0.0, 1e-14);
   }
-  // Eighth turns to either side give the same count, also with rounding.
-  for (const double eighth : { -0.75 * Pi, -0.25 * Pi, 0.25 * Pi, 0.75 * Pi })
+  // Eighth turns are smooth, and three of them to either side give the same rotation, also with rounding to single
+  // precision.
+  for (const double rounding : { -1e-6, -1e-15, 0.0, 1e-15, 1e-6 })
   {
-    for (const double rounding : { -1e-15, 0.0, 1e-15 })
+    for (const double eighth : { -0.25 * Pi, 0.25 * Pi })
     {
-      EXPECT_NEAR(SmallestRotation(eighth + rounding), 0.25 * Pi, 1e-14);
+      EXPECT_NEAR(SmallestRotation(eighth + rounding), eighth, 1e-5);
+      EXPECT_EQ(SmallestRotationIndex(eighth + rounding), 0);
     }
+    EXPECT_NEAR(SmallestRotation(0.75 * Pi + rounding), 0.25 * Pi, 1e-5);
+    EXPECT_NEAR(SmallestRotation(-0.75 * Pi + rounding), 0.25 * Pi, 1e-5);
   }
 }
 

@@ -230,14 +230,17 @@ TEST(QuadWorkflow, RefusesASmoothBoundaryPointOfIndexTwo)
   EXPECT_EQ(MakeQuadMesh(disk, request).quads.quality.inverted, 0);
 }
 
-TEST(QuadWorkflow, RefusesMoreQuadsThanCanBeNumbered)
+TEST(QuadWorkflow, RefusesMoreQuadsThanTheMaximum)
 {
   QuadRequest request;
   for (const double size : { 1e-7, 1e-12, 1e-100, 1e-300 })
   {
     request.quadSize = size;
-    EXPECT_TRUE(Refuses([&] { MakeQuadMesh(LShape(), request); }, { "can be numbered" }));
+    EXPECT_TRUE(Refuses([&] { MakeQuadMesh(LShape(), request); }, { "maximum of 5e+07", "a larger size" }));
   }
+  request.quadSize = 0.0;
+  request.quadCount = 2000000000;
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(LShape(), request); }, { "fewer quads" }));
 }
 
 TEST(MeshRetry, RefinesOnceAndOnlyForErrorsThatAFinerMeshMayCure)
