@@ -10,7 +10,6 @@
 #include "MapConversion.h"
 #include "PatchConversion.h"
 #include "PlaneFrame.h"
-#include "QuadBoundary.h"
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "TMeshConversion.h"
@@ -141,10 +140,6 @@ int vtkLayoutDesigner::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char* const types[6] = { "vtkPolyData", "vtkPolyData", "vtkPolyData", "vtkUnstructuredGrid",
     "vtkTable", "vtkPolyData" };
-  if (port == 3)
-  {
-    QuadBoundary::Declare(info, 5);
-  }
   return FilterPorts::Produce(info, types[port]);
 }
 
