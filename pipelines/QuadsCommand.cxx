@@ -369,7 +369,8 @@ int Mesh(const QuadsOptions& options)
   outputs.Commit();
   if (prints)
   {
-    PrintOutputs({ options.output, options.blocks, options.layout, options.savedSingularities, options.json });
+    PrintOutputs(
+      { options.output, options.blocks, options.layout, options.savedSingularities, options.json });
   }
   const bool isInverted = Value(quads, names::Inverted) > 0.0 ||
     (options.order > 1 && Value(quads, names::CurvedInverted) > 0.0);

@@ -376,7 +376,8 @@ int vtkBoundarySimplifier::RequestData(
         PassThrough(input, output);
         return;
       }
-      const std::string warning = MaterialCheck::Warning(input); // the output has no cells that show it
+      const std::string warning =
+        MaterialCheck::Warning(input); // the output has no cells that show it
       if (!warning.empty())
       {
         vtkWarningMacro(<< warning);

@@ -101,7 +101,8 @@ constexpr const char* Sum = "Sum";
 constexpr const char* Feasible = "Feasible";
 constexpr const char* Chosen = "Chosen";
 constexpr const char* InteriorQuarters = "InteriorQuarters";
-constexpr const char* AmbiguousCorners = "AmbiguousCorners"; // also in vtkPoincareHopfCheck and vtkQuadMesher
+// Also in vtkPoincareHopfCheck and vtkQuadMesher.
+constexpr const char* AmbiguousCorners = "AmbiguousCorners";
 // Points, cells and field data: vtkCrossFieldMap.
 constexpr const char* UV = "UV";
 constexpr const char* VertexId = "VertexId";

@@ -254,8 +254,7 @@ private:
       for (std::size_t i = 0; i < count; ++i)
       {
         this->Stream.Count();
-        this->ReadElement(
-          shape, shape.dimension > 0 && group != groups.end() ? group->second : 0);
+        this->ReadElement(shape, shape.dimension > 0 && group != groups.end() ? group->second : 0);
       }
     }
   }
@@ -369,8 +368,8 @@ private:
     }
     if (count > 1)
     {
-      drawing.warnings.push_back("The mesh has " + std::to_string(count) +
-        " physical surfaces (" + list + (count > Listed ? ", ..." : "") +
+      drawing.warnings.push_back("The mesh has " + std::to_string(count) + " physical surfaces (" +
+        list + (count > Listed ? ", ..." : "") +
         "), but the domain is meshed as one, without lines between them; to mesh one of them, give its elements only.");
     }
   }

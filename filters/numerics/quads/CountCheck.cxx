@@ -10,8 +10,8 @@
 
 namespace crossfield
 {
-void RequireSuitableCounts(
-  const QuadMesh& mesh, double area, const BoundarySides& sides, const SidePrescriptions& prescribed)
+void RequireSuitableCounts(const QuadMesh& mesh, double area, const BoundarySides& sides,
+  const SidePrescriptions& prescribed)
 {
   // On a channel with a cylinder, counts that differ by a factor of 13 are smoothed in five times the usual time, and those
   // that differ by 22 in 25 to 60 times.
@@ -33,8 +33,8 @@ void RequireSuitableCounts(
     {
       continue;
     }
-    const double usual =
-      std::max(1.0, measures[static_cast<std::size_t>(side - mesh.sideNames.begin())].length / size);
+    const double usual = std::max(
+      1.0, measures[static_cast<std::size_t>(side - mesh.sideNames.begin())].length / size);
     if (std::max(one.count / usual, usual / one.count) > LargestFactor)
     {
       described += (described.empty() ? "" : " and ") + std::to_string(one.count) +

@@ -1,10 +1,10 @@
 #include "QuadMesher.h"
 
-#include "CountCheck.h"
 #include "BoundaryOrder.h"
 #include "BoundarySymmetry.h"
 #include "Candidates.h"
 #include "Chords.h"
+#include "CountCheck.h"
 #include "Error.h"
 #include "GradedArcs.h"
 #include "MemoryBudget.h"

@@ -185,8 +185,7 @@ private:
         best = i;
         continue;
       }
-      const double saved =
-        this->StepCost(indices, best, step) - this->StepCost(indices, i, step);
+      const double saved = this->StepCost(indices, best, step) - this->StepCost(indices, i, step);
       const double rounding = CostRounding(this->Corners[i]);
       const bool isSmoother = std::abs(indices[i] + step) < std::abs(indices[best] + step);
       if (saved > rounding || (saved >= -rounding && isSmoother))

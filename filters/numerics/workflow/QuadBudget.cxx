@@ -33,8 +33,11 @@ void RequireCount(double count, const std::string& what, const std::string& reme
 
 void RequireQuadSize(const PlanarDomain& domain, double quadSize)
 {
-  RequireCount(domain.Area() / quadSize / quadSize,
-    "A mesh of quads of size " + Rounded(quadSize), "use a larger size");
+  if (quadSize > 0.0)
+  {
+    RequireCount(domain.Area() / quadSize / quadSize,
+      "A mesh of quads of size " + Rounded(quadSize), "use a larger size");
+  }
 }
 
 void RequireQuadBudget(const PlanarDomain& domain, const QuadRequest& request)
@@ -42,7 +45,8 @@ void RequireQuadBudget(const PlanarDomain& domain, const QuadRequest& request)
   for (const SidePrescription& one : request.prescribed)
   {
     const std::string& name = request.sides.names[Index(one.side)];
-    RequireCount(one.count, "A mesh with " + Rounded(one.count) + " edges along side '" + name + "'",
+    RequireCount(one.count,
+      "A mesh with " + Rounded(one.count) + " edges along side '" + name + "'",
       "give the side fewer edges");
   }
   if (request.quadSize == 0.0)

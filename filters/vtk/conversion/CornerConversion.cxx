@@ -61,8 +61,7 @@ void WriteCorners(const crossfield::CornerClassification& classification,
   AddColumn<vtkIntArray>(report, names::InteriorQuarters, only,
     [](const auto& result) { return result.interiorQuarters; });
   WriteAmbiguous(static_cast<int>(std::count_if(corners.begin(), corners.end(),
-                   [](const Corner& corner)
-                   {
+                   [](const Corner& corner) {
                      return !corner.overridden &&
                        crossfield::IsTie(corner.Turning(), crossfield::AmbiguousAngle);
                    })),

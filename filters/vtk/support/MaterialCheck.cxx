@@ -59,7 +59,8 @@ std::size_t CountValues(vtkAbstractArray* array, const std::vector<vtkIdType>& c
 {
   if (auto* texts = vtkStringArray::SafeDownCast(array))
   {
-    return CountValues(cells, [texts](vtkIdType cell) { return std::string(texts->GetValue(cell)); });
+    return CountValues(
+      cells, [texts](vtkIdType cell) { return std::string(texts->GetValue(cell)); });
   }
   auto* numbers = vtkDataArray::SafeDownCast(array);
   return CountValues(cells, [numbers](vtkIdType cell) { return numbers->GetTuple1(cell); });

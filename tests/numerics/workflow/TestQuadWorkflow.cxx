@@ -236,7 +236,8 @@ TEST(QuadWorkflow, RefusesMoreQuadsThanTheMaximum)
   for (const double size : { 1e-7, 1e-12, 1e-100, 1e-300 })
   {
     request.quadSize = size;
-    EXPECT_TRUE(Refuses([&] { MakeQuadMesh(LShape(), request); }, { "maximum of 5e+07", "a larger size" }));
+    EXPECT_TRUE(
+      Refuses([&] { MakeQuadMesh(LShape(), request); }, { "maximum of 5e+07", "a larger size" }));
   }
   request.quadSize = 0.0;
   request.quadCount = 2000000000;
