@@ -176,7 +176,7 @@ class Quads(ProgramTest):
         self.assertAlmostEqual(max(moves), report["repair"]["distance"], places=12)
         self.assertGreater(max(moves), 0.01)
         self.assertIn("to repair the holonomy.", self.succeed(
-            "quads", "builtin:ring", "-s", "eight.csv", "-o", "quads.vtu", "--size", "0.1", "--repair-holonomy"))
+            "quads", "builtin:ring", "-s", "eight.csv", "-o", "quads.vtu", "--size", "0.1", "--repair-holonomy", "--verbose"))
 
     def test_corners_alone(self):
         report = self.report("builtin:l-shape", "--quads", "300")
