@@ -258,6 +258,11 @@ TEST_F(ExtrudeQuads, Errors)
   this->Filter->SetAngle(400.0);
   this->Refuse("at most 360");
   this->Filter->SetAngle(40.0);
+  vtkNew<vtkUnstructuredGrid> alone;
+  alone->ShallowCopy(this->Mesher->GetOutput());
   this->Filter->SetBoundaryConnection(nullptr);
+  this->Filter->Update(); // with the boundary of the mesher
+  EXPECT_GT(this->Filter->GetOutput()->GetNumberOfCells(), 0);
+  this->Filter->SetInputData(alone);
   this->Refuse("no boundary edges");
 }

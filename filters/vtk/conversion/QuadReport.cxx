@@ -216,9 +216,13 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
       text << " " << sentence;
     }
   }
-  for (const std::string& warning : result.warnings)
+  if (!result.warnings.empty())
   {
-    text << " " << warning;
+    text << " " << result.warnings.front();
+  }
+  if (result.warnings.size() > 1) // all of them would cover the quads
+  {
+    text << " Further warnings in the report: " << result.warnings.size() - 1 << ".";
   }
   return text.str();
 }
