@@ -188,7 +188,7 @@ S
                                 (("-o", "a.su2", "--order", "2"), "order 1 only"),
                                 (("-o", "a.cgns", "--order", "2"), "order 1 only"),
                                 (("-o", "a.exo", "--order", "3"), "no elements of order 3"),
-                                (("-o", "a.med",), "must end in .vtu, .case, .cgns, .e, .ex2, .exo, .foam, .inp, .msh, .su2, .vtk, .xyz or /")):
+                                (("-o", "a.med",), "must end in .vtu, .case, .cgns, .e, .ex2, .exo, .foam, .inp, .msh, .msh2, .su2, .vtk, .xyz or /")):
             self.refuse("quads", "plain.vtp", *arguments, says=[says])
         self.assertEqual((self.folder / "old.inp").read_text(), "old")
         result = self.run_program("quads", "plain.vtp", "-o", "a.msh", "--msh-version", "3")
