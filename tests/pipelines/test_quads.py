@@ -124,8 +124,8 @@ class Quads(ProgramTest):
         self.assertTrue(moves and all(moves), report["events"])
         for move in moves:
             row = report["singularities"][int(move[1]) - 1]
-            self.assertAlmostEqual(float(move[5]), row["x"], places=7)
-            self.assertAlmostEqual(float(move[6]), row["y"], places=7)
+            self.assertAlmostEqual(float(move[5]), row["x"], delta=0.51e-4)  # four digits
+            self.assertAlmostEqual(float(move[6]), row["y"], delta=0.51e-4)
         self.assertAlmostEqual(max(float(move[2]) for move in moves), report["moved"], delta=1e-2 * report["moved"])
         rows = [line.split(",") for line in (self.folder / "used.csv").read_text().split()[1:]]
         self.assertEqual([(float(x), float(y)) for x, y, *_ in rows],
