@@ -14,6 +14,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkTable
 
+from . import names
+
 _TABLE = json.loads(pathlib.Path(__file__).with_name("reports.json").read_text(encoding="utf-8"))
 _TYPES = {"number": float, "integer": int, "flag": bool, "text": str}
 
