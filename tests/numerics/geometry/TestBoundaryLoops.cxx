@@ -113,13 +113,10 @@ TEST(BoundaryLoops, RefusesABranchAndNamesItsPosition)
 {
   std::vector<Point> points = RegularPolygon(4);
   points[2] = { -1.5, 0.125 };
-  const Segments square = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } };
-  Segments diagonal = square;
-  diagonal.push_back({ 0, 2 });
+  const Segments diagonal = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 0, 2 } };
   EXPECT_TRUE(Refuses([&] { ChainLoops(points, diagonal); }, { "branches", "(1, 0)" }));
-  Segments spur = square;
   points.emplace_back(-3.0, 0.0);
-  spur.push_back({ 2, 4 });
+  const Segments spur = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 }, { 2, 4 } };
   EXPECT_TRUE(Refuses([&] { ChainLoops(points, spur); }, { "branches", "(-1.5, 0.125)" }));
 }
 
