@@ -2,7 +2,7 @@
  * @class   HelpPages
  * @brief   registers the help pages of the plugin with the client
  *
- * The pages are made from the definitions of the proxies (help_pages.py) and are a resource of the plugin.
+ * The pages are made from the definitions of the proxies (expand_proxies.py) and are a resource of the plugin.
  */
 
 #ifndef HelpPages_h

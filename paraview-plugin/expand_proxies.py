@@ -1,7 +1,8 @@
-"""Writes the help pages of the plugin: help_pages.py FOLDER DEFINITION...
+"""Prepares the definitions of proxies for ParaView: expand_proxies.py FOLDER DEFINITION...
 
-Each proxy that has a class becomes GROUP.NAME.html, the name under which the client looks for its help.
-ParaView's own generator needs xmlpatterns, which Qt 6 does not have, and leaves out inherited properties.
+Writes FOLDER/CrossField.xml, all proxies that have a class with the properties of their bases (ParaView 5.11 does
+not override a property in the middle of a chain of bases), and FOLDER/help/GROUP.NAME.html, the name under which the
+client looks for the help of a proxy. (ParaView's own generator of help needs xmlpatterns, which Qt 6 does not have.)
 """
 import copy
 import html
@@ -29,9 +30,9 @@ def is_property(element):
 
 def expanded(proxy, proxies):
     """Returns a copy of a proxy with the elements of its bases first; a property with override="1"
-    replaces one in its place, as in ParaView."""
+    replaces one in its place."""
     result = copy.deepcopy(proxy)
-    base = (proxy.get("base_proxygroup"), proxy.get("base_proxyname"))
+    base = (result.attrib.pop("base_proxygroup", None), result.attrib.pop("base_proxyname", None))
     if base == (None, None):
         return result
     own = list(result)
@@ -39,7 +40,7 @@ def expanded(proxy, proxies):
     for element in own:
         same = [index for index, other in enumerate(result) if is_property(element)
                 and is_property(other) and other.get("name") == element.get("name")]
-        if (element.get("override") == "1") != bool(same):
+        if (element.attrib.pop("override", None) == "1") != bool(same):
             sys.exit("%s.%s: override=\"1\" is for a property that a base has"
                      % (proxy.get("name"), element.get("name")))
         if same:
@@ -80,21 +81,38 @@ def row(element):
     return "<tr>%s</tr>" % "".join("<td>%s</td>" % cell for cell in cells)
 
 
+def page(proxy):
+    """Returns the help page of a proxy."""
+    documentation = proxy.find("Documentation")
+    rows = [row(element) for element in proxy if is_property(element)]
+    return PAGE.format(
+        label=html.escape(proxy.get("label") or proxy.get("name")), name=proxy.get("name"),
+        short=html.escape(documentation.get("short_help", "") if documentation is not None else ""),
+        text=formatted(documentation), rows="\n".join(filter(None, rows)))
+
+
+def write(path, text):
+    """Writes a file unless it has this text already, which would compile the plugin again."""
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as file:
+            if file.read() == text:
+                return
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def main(folder, *inputs):
     groups = [group for name in inputs for group in tree.parse(name).getroot()]
     proxies = {(group.get("name"), proxy.get("name")): proxy for group in groups for proxy in group}
-    os.makedirs(folder, exist_ok=True)
-    for (group, name), proxy in proxies.items():
-        if not proxy.get("class"):
-            continue
-        proxy = expanded(proxy, proxies)
-        documentation = proxy.find("Documentation")
-        rows = [row(element) for element in proxy if is_property(element)]
-        with open(os.path.join(folder, "%s.%s.html" % (group, name)), "w", encoding="utf-8") as file:
-            file.write(PAGE.format(
-                label=html.escape(proxy.get("label") or name), name=name,
-                short=html.escape(documentation.get("short_help", "") if documentation is not None else ""),
-                text=formatted(documentation), rows="\n".join(filter(None, rows))))
+    os.makedirs(os.path.join(folder, "help"), exist_ok=True)
+    root = tree.Element("ServerManagerConfiguration")
+    for group in groups:
+        concrete = [expanded(proxy, proxies) for proxy in group if proxy.get("class")]
+        if concrete:
+            tree.SubElement(root, "ProxyGroup", name=group.get("name")).extend(concrete)
+        for proxy in concrete:
+            write(os.path.join(folder, "help", "%s.%s.html" % (group.get("name"), proxy.get("name"))), page(proxy))
+    write(os.path.join(folder, "CrossField.xml"), tree.tostring(root, encoding="unicode") + "\n")
 
 
 main(*sys.argv[1:])
