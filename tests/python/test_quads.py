@@ -272,7 +272,7 @@ class Quads(unittest.TestCase):
         mesh = crossfield.quads("builtin:square", [], count=16)
         field = crossfield.solve("builtin:square", [], size=0.5)
         with tempfile.TemporaryDirectory() as folder:
-            for result, listed in ((mesh, ".msh, .su2, .vtk, .xyz, or a folder .*, or one of .avs"), (mesh.extrude(1.0), ".msh, .su2"),
+            for result, listed in ((mesh, ".msh, .msh2, .su2, .vtk, .xyz, or a folder .*, or one of .avs"), (mesh.extrude(1.0), ".msh, .msh2, .su2"),
                                    (field, "must end in .vtu")):
                 for name in ("a.stl", "a.nothing", "a"):
                     with self.assertRaisesRegex(crossfield.Error, "'.*%s'.*%s" % (name, listed)):

@@ -261,12 +261,12 @@ TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
     vtkCrossFieldErrorCodes::BadInput);
 }
 
-TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
+TEST_F(QuadMesher, RefusesMoreQuadsThanTheMaximum)
 {
   this->Filter->SetQuadSize(5e-5); // about 1e9 quads
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter,
-              { "This number of quads would need about",
-                "GiB available; use a larger size or fewer quads." }),
+              { "A mesh of quads of size 5e-05 would have more than the maximum of 5e+07 quads",
+                "; use a larger size." }),
     vtkCrossFieldErrorCodes::BadInput);
   this->Filter->SetQuadSize(0.1);
   FilterChecks::UpdateWithoutError(this->Filter);

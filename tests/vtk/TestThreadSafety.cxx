@@ -152,7 +152,7 @@ std::string Failure()
   drill->AddObserver(vtkCommand::ErrorEvent, observer);
   drill->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
   drill->Update();
-  const auto sentence = message.find("The holes of singularity");
+  const auto sentence = message.find("Two holes overlap");
   return drill->GetErrorCode() == 0 || sentence == std::string::npos
     ? ""
     : message.substr(sentence, message.find('\n', sentence) - sentence);
