@@ -213,7 +213,7 @@ void FurtherConfiguration(benchmark::State& state)
   solver->GetDirichlet(); // the second factor of W, which the first configuration computes
   for (auto _ : state)
   {
-    const auto value = EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));
+    auto value = EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));
     benchmark::DoNotOptimize(value.energy);
   }
 }
