@@ -42,9 +42,10 @@ void RequireQuadSize(const PlanarDomain& domain, double quadSize)
 
 void RequireQuadBudget(const PlanarDomain& domain, const QuadRequest& request)
 {
+  const BoundarySides sides = request.sides.names.empty() ? NameSides(domain) : request.sides;
   for (const SidePrescription& one : request.prescribed)
   {
-    const std::string& name = request.sides.names[Index(one.side)];
+    const std::string& name = sides.names[Index(one.side)];
     RequireCount(one.count,
       "A mesh with " + Rounded(one.count) + " edges along side '" + name + "'",
       "give the side fewer edges");
