@@ -48,5 +48,6 @@ class WholeRuns(ProgramTest):
         # Seconds depend on the machine.
         memory = re.compile(r"([0-9.]+) GiB")
         self.assertEqual(len(memory.findall(row)), len(limits.COMMANDS))
-        for found, old in zip(memory.findall(row), memory.findall(written)):
-            self.assertAlmostEqual(float(found) / float(old), 1, delta=0.25)
+        for found, old in zip(map(float, memory.findall(row)), map(float, memory.findall(written))):
+            # The libraries of Debian 13's ParaView take 0.05 GiB more than those of Debian 12's, for which the page is.
+            self.assertAlmostEqual(found, old, delta=0.25 * old + 0.05)
