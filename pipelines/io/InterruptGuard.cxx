@@ -76,7 +76,8 @@ void InterruptGuard::Install()
   for (const int number : { SIGINT, SIGTERM, SIGHUP, SIGPIPE })
   {
     struct sigaction now = {};
-    if (sigaction(number, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
+    // An ignored signal stays ignored, as nohup wants it. Libraries catch some: UCX of Open MPI SIGHUP, for its log.
+    if (sigaction(number, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
     {
       std::signal(number, RemoveAndEnd);
     }
