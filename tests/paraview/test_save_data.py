@@ -56,6 +56,8 @@ def test_formats():
     wait()
     os.makedirs(os.path.join(FOLDER, "case"), exist_ok=True)
     for name in "quads.msh", "quads.msh2", "quads.inp", "quads.su2", "quads.exo", "quads.xyz", "case/case.foam":
+        if name == "quads.exo" and GetParaViewVersion() >= (5, 12):
+            continue  # has a writer of its own for this ending
         check_equal(save(b"QuadMesher1", name), 3, "actions to save " + name)
         content = read({"case/case.foam": "case/constant/polyMesh/boundary", "quads.xyz": "quads.nmf"}.get(name, name))
         if name != "quads.xyz":  # types of the .nmf

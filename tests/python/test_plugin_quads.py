@@ -37,6 +37,8 @@ def test_save_data_for_solvers():
         for proxy, name in ((mesher, "b.msh"), (mesher, "b.inp"), (mesher, "b.su2"), (mesher, "b.exo"), (mesher, "b/b.foam"),
                             (calculator, "c.su2"), (QuadsToHigherOrder(Input=mesher), "d.msh"),
                             (ExtrudeQuads(Input=calculator), "e.su2")):
+            if name == "b.exo" and GetParaViewVersion() >= (5, 12):
+                continue  # has a writer of its own for this ending
             os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
             SaveData(os.path.join(folder, name), proxy=proxy)
             with open(os.path.join(folder, name.replace("b.foam", "constant/polyMesh/boundary")), "rb") as file:
