@@ -1,6 +1,6 @@
 # Builds the C++ example of README.md in a folder of its own and runs it, against the build tree (TREE is Build), or
 # against an installed tree that was moved (Installed), whose program and Python package run as well:
-#   cmake -D TREE=… -D BUILD=… -D EXAMPLE=… -D FOLDER=… -D PYTHON=… -D KEPT=… -P consumer.cmake
+#   cmake -D TREE=… -D GENERATOR=… -D BUILD=… -D EXAMPLE=… -D FOLDER=… -D PYTHON=… -D KEPT=… -P consumer.cmake
 function (run)
   execute_process(COMMAND ${ARGV} WORKING_DIRECTORY "${FOLDER}" COMMAND_ERROR_IS_FATAL ANY)
 endfunction ()
@@ -13,14 +13,14 @@ if (TREE STREQUAL Installed)
   set(tree "${FOLDER}/moved")
   file(RENAME "${FOLDER}/first" "${tree}")
 endif ()
-run("${CMAKE_COMMAND}" -S example -B out "-DCMAKE_PREFIX_PATH=${tree}" ${VTK_DIR_OPTION})
+run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S example -B out "-DCMAKE_PREFIX_PATH=${tree}" ${VTK_DIR_OPTION})
 run("${CMAKE_COMMAND}" --build out)
 run("${PYTHON}" "${KEPT}" "${FOLDER}" -- "${FOLDER}/out/example")
 if (NOT EXISTS "${FOLDER}/quads.vtu")
   message(FATAL_ERROR "The example has not written quads.vtu.")
 endif ()
 if (TREE STREQUAL Build)
-  run("${CMAKE_COMMAND}" -S example -B out "-DCrossField_DIR=${BUILD}") # some users name the build tree so
+  run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S example -B out "-DCrossField_DIR=${BUILD}") # some users name the build tree so
   return ()
 endif ()
 run("${tree}/bin/crossfield" check builtin:square)
