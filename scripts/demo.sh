@@ -4,7 +4,7 @@
 # the paper, on the unit disk with four singularities of quarter index 1. Results are in
 # build/demo/.
 #
-#   scripts/demo.sh           installs packages and builds first, without tests: about 6.5 minutes on 2 cores
+#   scripts/demo.sh           installs packages and builds first, without tests: about 14 minutes on 2 cores
 #   scripts/demo.sh --built   uses the existing build
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
