@@ -16,6 +16,7 @@ int RequireQuarterIndex(double value, const std::string& what, const std::string
   if (std::abs(value) > MaximumQuarterIndex)
   {
     std::ostringstream text;
+    text.precision(10); // the digits of any int
     text << what << " is " << value << ", and meshes resolve none beyond " << MaximumQuarterIndex
          << "; give a smaller one.";
     throw Error(text.str());
