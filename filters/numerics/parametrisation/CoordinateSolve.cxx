@@ -183,31 +183,31 @@ Eigen::VectorXd SolveCoordinates(const SeamlessMap& map, const SeamlessPoisson& 
   // c leaves an error of about c² (docs/method.md §12.3).
   constexpr double NegligibleSquared = 1e-8;
   constexpr int MaximumCorrections = 5;
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(prolongation.rows());
+  Eigen::VectorXd free = Eigen::VectorXd::Zero(prolongation.cols());
   double previous = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= MaximumCorrections; ++i)
   {
-    const Eigen::MatrixX2d residual = poisson.Residual(map, w);
+    const Eigen::MatrixX2d residual = poisson.Residual(map, prolongation * free);
     Eigen::VectorXd full = Eigen::VectorXd::Zero(prolongation.rows());
     for (Eigen::Index vertex = 0; vertex < residual.rows(); ++vertex)
     {
       full.segment<2>(2 * vertex) = residual.row(vertex).transpose();
     }
     const Eigen::VectorXd correction =
-      prolongation * factor.Substitute(factor.Eliminate(prolongation.transpose() * full)).col(0);
+      factor.Substitute(factor.Eliminate(prolongation.transpose() * full)).col(0);
     const double fraction =
-      i == 0 ? 1.0 : correction.lpNorm<Eigen::Infinity>() / w.lpNorm<Eigen::Infinity>();
+      i == 0 ? 1.0 : correction.lpNorm<Eigen::Infinity>() / free.lpNorm<Eigen::Infinity>();
     if (!(fraction < previous))
     {
       break; // converged to rounding; RequireInjective reports maps that are unusable
     }
-    w += correction;
+    free += correction;
     previous = fraction;
     if (fraction <= NegligibleSquared)
     {
       break;
     }
   }
-  return w;
+  return free;
 }
 }

@@ -4,6 +4,7 @@
 #include "CoordinateSolve.h"
 #include "Index.h"
 #include "SeamEquations.h"
+#include "TriangleArea.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,34 +119,48 @@ double MapArea(const SeamlessMap& map)
   return area;
 }
 
-/// Stores the solution, scaled to the area of the domain. `objective` is the minimum of the sum.
-void SetPoints(const Eigen::VectorXd& solution, double objective, SeamlessMap& map)
+/// Stores u and v of every vertex of the cut mesh, and the translations of the seams.
+void StorePoints(const Eigen::VectorXd& w, SeamlessMap& map)
 {
-  const auto point = [&solution](std::size_t i)
-  {
-    const auto row = static_cast<Eigen::Index>(2 * i);
-    return Point(solution[row], solution[row + 1]);
-  };
+  const auto point = [&w](std::size_t i) { return w.segment<2>(static_cast<Eigen::Index>(2 * i)); };
   map.points.clear();
   for (std::size_t c = 0; c < map.original.size(); ++c)
   {
-    map.points.push_back(point(c));
-  }
-  double area = 0.0;
-  for (const Loop& loop : map.topology->AlignedLoops())
-  {
-    area += SignedArea(loop);
-  }
-  const double scale = std::sqrt(area / std::abs(MapArea(map)));
-  for (Point& w : map.points)
-  {
-    w *= scale;
+    map.points.emplace_back(point(c));
   }
   for (std::size_t chain = 0; chain < map.transitions.size(); ++chain)
   {
-    map.transitions[chain].translation = scale * point(map.original.size() + chain);
+    map.transitions[chain].translation = point(map.original.size() + chain);
   }
-  map.residual = std::sqrt(std::max(0.0, objective) / area);
+}
+
+/// Returns the free unknowns rounded to multiples of 2^(e − 46), where 2^e ≥ extent. Other coordinates
+/// are sums of a few of these with integer coefficients; with 7 bits to spare they are exact, so that
+/// seams and sides are exact to the last bit.
+Eigen::VectorXd RoundFree(const Eigen::VectorXd& free, double extent)
+{
+  constexpr int Bits = 46;
+  int exponent = 0;
+  std::frexp(extent, &exponent);
+  const double unit = std::ldexp(1.0, exponent - Bits);
+  return free.unaryExpr([unit](double value) { return std::nearbyint(value / unit) * unit; });
+}
+
+/// Stores the solution for the free unknowns, scaled to the area of the domain.
+void StoreScaled(const Eigen::VectorXd& free,
+  const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, const SeamlessPoisson& poisson,
+  SeamlessMap& map)
+{
+  const Eigen::VectorXd w = prolongation * free;
+  StorePoints(w, map);
+  double area = 0.0;
+  for (const auto& triangle : map.topology->mesh.triangles)
+  {
+    area += TriangleArea(map.topology->mesh, triangle);
+  }
+  map.residual = std::sqrt(std::max(0.0, poisson.ObjectiveAt(map, w)) / area);
+  const double scale = std::sqrt(area / std::abs(MapArea(map)));
+  StorePoints(prolongation * RoundFree(scale * free, scale * map.Extent()), map);
 }
 }
 
@@ -170,8 +185,8 @@ SeamlessMap SolveTargets(
   CollectTransitions(cut, targets.jumps, map);
   const auto prolongation =
     EliminateSeams(*map.topology, cut, map.transitions, map.directions, map.cones);
-  const Eigen::VectorXd w = SolveCoordinates(map, targets.poisson, prolongation, progress);
-  SetPoints(w, targets.poisson.ObjectiveAt(map, w), map);
+  StoreScaled(SolveCoordinates(map, targets.poisson, prolongation, progress), prolongation,
+    targets.poisson, map);
   return map;
 }
 }

@@ -123,11 +123,10 @@ LineSegment LineWalk::Continue(const LineSegment& segment) const
   {
     const SeamTransition across = this->Map.Across(segment.triangle, segment.exit.side);
     next.direction = (segment.direction + across.rotation) % 4;
-    const double along = segment.CoordinateAt(segment.exitLength);
     const Point w =
-      across(segment.AlongU() ? Point(along, segment.level) : Point(segment.level, along));
+      across(segment.AlongU() ? Point(0.0, segment.level) : Point(segment.level, 0.0));
     next.level = w[next.AlongU() ? 1 : 0];
-    next.offset = segment.exitLength - next.Sign() * w[next.AlongU() ? 0 : 1];
+    next.offset = segment.offset - next.Sign() * w[next.AlongU() ? 0 : 1];
   }
   // A line enters with the start of the side on its left, and leaves between a right and a left
   // corner.

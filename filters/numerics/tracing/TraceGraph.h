@@ -5,9 +5,9 @@
 
 namespace crossfield
 {
-/// Separatrices nearer than this, relative to the extent, are on one isoline. It is above the
-/// rounding error of a solve (1e-14 to 1e-13) and below the tolerance on the lengths of opposite
-/// sides.
+/// Separatrices nearer than this, relative to the extent, are on one isoline. Levels are exact, but
+/// two that are equal by the symmetry of the domain, and not by an equation, differ by the rounding
+/// error of the solve (1e-14 to 1e-13).
 constexpr double SameIsoline = 4e-13;
 
 /// Reason why a separatrix ends.

@@ -80,7 +80,7 @@ Errors ErrorsOnTheDisk(double radius, double exact, double firstAngle, double si
   const SeamlessMap map = SolveTargets(std::move(flat.targets), nearest.cones);
   EXPECT_EQ(CountReversed(map), 0);
   EXPECT_LT(AngleSumDefect(map), 1e-9);
-  EXPECT_LT(SeamDefect(map), 1e-12);
+  EXPECT_EQ(SeamDefect(map), 0.0);
   EXPECT_FALSE(FindFault(map));
   return { SideOfSquare(nearest) - exact, SideOfSquare(map) - exact };
 }

@@ -37,7 +37,9 @@ void ExpectSound(const TMesh& mesh, int euler)
   EXPECT_EQ(Count(mesh.patches.size()), mesh.separatrixCount - mesh.headOn - singularities + euler);
   EXPECT_EQ(Count(mesh.arcs.size()),
     2 * mesh.separatrixCount + corners + mesh.extraSeparatrices - 3 * mesh.headOn - mesh.crossings);
-  EXPECT_LT(mesh.Mismatch(), 1e-12 * std::sqrt(MapArea(mesh)));
+  // Lines on one isoline by symmetry only differ by the rounding error of the solve.
+  const bool isExact = mesh.headOn == 0 && mesh.crossings == 0;
+  EXPECT_LE(mesh.Mismatch(), isExact ? 0.0 : 1e-12 * std::sqrt(MapArea(mesh)));
   const double area = MapArea(mesh);
   double domain = 0.0;
   for (const TPatch& face : mesh.patches)

@@ -31,7 +31,7 @@ void ExpectMap(const RandomCase& random)
   // Edges down to 4e-10 of the extent, whose directions rounding of the coordinates changes.
   constexpr double Rounding = 1e-15;
   EXPECT_LT(AngleSumDefect(map), std::max(1e-9, Rounding / ShortestEdge(map)));
-  EXPECT_LT(SeamDefect(map), 1e-12);
+  EXPECT_EQ(SeamDefect(map), 0.0);
   if (map.flattening)
   {
     EXPECT_TRUE(map.flattening->converged);
