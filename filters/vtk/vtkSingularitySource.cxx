@@ -23,7 +23,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -78,9 +77,10 @@ RowTable ReadRows(const std::string& fileName)
     double numbers[Count];
     for (int i = 0; i < Count; ++i)
     {
-      bool valid = true;
-      numbers[i] = columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
-      if (!valid)
+      const auto number =
+        columns[i] == nullptr ? std::optional(0.0) : PointTable::NumberAt(columns[i], row);
+      numbers[i] = number.value_or(0.0);
+      if (!number)
       {
         throw Error("Row " + std::to_string(row + 1) + " of '" + fileName +
           "' has no number in column '" + names[i] + "'; correct it.");

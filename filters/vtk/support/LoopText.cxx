@@ -108,9 +108,9 @@ std::vector<Loop> ReadTable(const std::string& text, const std::string& file)
     std::array<double, 3> place = { 0.0, 0.0, 0.0 };
     for (std::size_t i = 0; i < 3 && columns[i] != nullptr; ++i)
     {
-      bool valid = true;
-      place[i] = columns[i]->GetVariantValue(row).ToDouble(&valid);
-      if (!valid)
+      const auto number = PointTable::NumberAt(columns[i], row);
+      place[i] = number.value_or(0.0);
+      if (!number)
       {
         throw Error("Row " + std::to_string(row + 1) + " of '" + file +
           "' does not hold numbers for its coordinates; correct it.");

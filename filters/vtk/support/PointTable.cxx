@@ -6,10 +6,12 @@
 #include "vtkDelimitedTextReader.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <sstream>
 
@@ -57,5 +59,23 @@ vtkAbstractArray* FindColumn(vtkTable* table, const std::vector<std::string>& na
     }
   }
   return nullptr;
+}
+
+std::optional<double> NumberAt(vtkAbstractArray* column, vtkIdType row)
+{
+  const std::string text = column->GetVariantValue(row).ToString();
+  std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos)
+  {
+    return std::nullopt;
+  }
+  if (text[first] == '+' && text.find('-') != first + 1)
+  {
+    ++first;
+  }
+  const char* const end = text.data() + text.find_last_not_of(" \t\r") + 1;
+  double number = 0.0;
+  const auto result = std::from_chars(text.data() + first, end, number);
+  return result.ec == std::errc() && result.ptr == end ? std::optional(number) : std::nullopt;
 }
 }

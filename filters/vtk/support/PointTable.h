@@ -2,7 +2,9 @@
 #define PointTable_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,12 @@ std::vector<std::string> NamesOfAxis(int axis);
  * Returns the first column with one of the names, ignoring case and surrounding blanks, or null.
  */
 vtkAbstractArray* FindColumn(vtkTable* table, const std::vector<std::string>& names);
+
+/**
+ * Returns the number in a row of a column, which may have a plus sign and blanks around it; none if
+ * there is something else. vtkVariant accepts plus signs before VTK 9.3 only.
+ */
+std::optional<double> NumberAt(vtkAbstractArray* column, vtkIdType row);
 }
 
 #endif
