@@ -56,7 +56,7 @@ int vtkCrossFieldMap::RequestData(
       crossfield::Stopwatch stopwatch;
       vtkUnstructuredGrid* given = DrilledMeshConversion::AsDrilledMesh(domain);
       MapConversion::Map result;
-      crossfield::SharedTopology topology;
+      crossfield::SharedPlanarTopology topology;
       crossfield::Configuration configuration;
       crossfield::SeamlessMapOptions options;
       options.capCorners = this->CapCorners;

@@ -65,7 +65,9 @@ int vtkSeparatrices::RequestData(
     {
       const MapConversion::Map map = MapConversion::ReadMap(input);
       const std::vector<crossfield::Point> places = ReadSeeds(seeds, map.plane);
-      const double area = crossfield::PlanarDomain{ map.map.topology->AlignedLoops() }.Area();
+      const double area =
+        crossfield::PlanarDomain{ crossfield::RequirePlanar(map.map.topology)->AlignedLoops() }
+          .Area();
       const double longest =
         this->LongestStreamline > 0.0 ? this->LongestStreamline : 10.0 * std::sqrt(area);
       crossfield::Stopwatch stopwatch;

@@ -69,7 +69,8 @@ void Islands(benchmark::State& state)
     Stopwatch stopwatch;
     const std::vector<double> defects = HolonomyDefects(plate.domain, plate.configuration);
     state.counters["defects"] = stopwatch.Lap();
-    const SharedTopology topology = ShareTopology(MeshForPoints(plate.domain, plate.configuration));
+    const SharedPlanarTopology topology =
+      ShareTopology(MeshForPoints(plate.domain, plate.configuration));
     const HField field = SolveHField(topology, plate.configuration);
     state.counters["h"] = stopwatch.Lap();
     state.counters["triangles"] = static_cast<double>(topology->mesh.triangles.size());

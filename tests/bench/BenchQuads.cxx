@@ -23,7 +23,7 @@ namespace
 using namespace crossfield;
 
 /// Returns the disk with a vertex at each of the eight points.
-SharedTopology TopologyOnPoints(std::int64_t triangles)
+SharedPlanarTopology TopologyOnPoints(std::int64_t triangles)
 {
   BuiltinDomain disk;
   disk.edgeLength = MeshSizeFor(triangles);
@@ -36,7 +36,7 @@ SharedTopology TopologyOnPoints(std::int64_t triangles)
 /// H alone.
 void MapAndLines(benchmark::State& state)
 {
-  const SharedTopology topology = TopologyOnPoints(state.range(0));
+  const SharedPlanarTopology topology = TopologyOnPoints(state.range(0));
   for (auto _ : state)
   {
     Stopwatch stopwatch;
@@ -60,7 +60,7 @@ void MapAndLines(benchmark::State& state)
 /// triangles, which is a part of it.
 void MapToQuads(benchmark::State& state)
 {
-  const SharedTopology topology = TopologyOnPoints(state.range(0));
+  const SharedPlanarTopology topology = TopologyOnPoints(state.range(0));
   for (auto _ : state)
   {
     const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());

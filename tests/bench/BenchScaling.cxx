@@ -130,7 +130,7 @@ int main(int count, char** arguments)
   {
     TriangleMesh mesh;
     Measure("mesh of a disk with eight holes", [&] { mesh = Disk(triangles, EightHoles()); });
-    SharedTopology topology;
+    SharedPlanarTopology topology;
     Measure("topology", [&] { topology = ShareTopology(mesh); });
     PerforatedOptions options;
     options.method = PerforatedMethod::UnitNorm;

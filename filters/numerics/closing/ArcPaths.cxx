@@ -42,14 +42,14 @@ int ArcPaths::At(int node, int slot) const
 void ArcPaths::Append(
   int halfEdge, const std::complex<double>& direction, std::vector<ArcPath::Piece>& pieces) const
 {
-  const LineWalk walk(this->Map);
   const std::vector<ChartPiece>& ofArc = this->Mesh.arcs[Index(halfEdge / 2)].pieces;
   for (std::size_t i = 0; i < ofArc.size(); ++i)
   {
     const bool forward = halfEdge % 2 == 0;
     const ChartPiece& piece = ofArc[forward ? i : ofArc.size() - 1 - i];
-    ArcPath::Piece added{ piece.triangle, walk.PlaneAt(piece.triangle, piece.from),
-      walk.PlaneAt(piece.triangle, piece.to), direction * (piece.to - piece.from).norm() };
+    ArcPath::Piece added{ piece.triangle, this->Map.PlaceOf(piece.triangle, piece.from).head<2>(),
+      this->Map.PlaceOf(piece.triangle, piece.to).head<2>(),
+      direction * (piece.to - piece.from).norm() };
     if (!forward)
     {
       std::swap(added.from, added.to);

@@ -14,7 +14,7 @@ namespace
 /// Returns the angle of a cross of the map at a point: the direction in which u grows.
 double CrossAngleAt(const SeamlessMap& map, const Point& place)
 {
-  const MeshTopology& topology = *map.topology;
+  const PlanarTopology& topology = *RequirePlanar(map.topology);
   std::size_t nearest = 0;
   double largest = 0.0; // minimum barycentric coordinate, not positive in other triangles
   for (std::size_t t = 0; t < topology.mesh.triangles.size(); ++t)

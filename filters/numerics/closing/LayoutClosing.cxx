@@ -238,7 +238,7 @@ private:
 ClosingLayout LayOut(const PlanarDomain& domain, const Configuration& singularities,
   const SeamlessMapOptions& options, double meshSize, const Progress& progress)
 {
-  const SharedTopology topology =
+  const SharedPlanarTopology topology =
     ShareTopology(MeshThroughPoints(domain, singularities, meshSize, progress.Part(0.0, 0.3)));
   auto potential = std::make_shared<const PotentialSolver>(topology, progress.Part(0.3, 0.5));
   SeamlessMap map =

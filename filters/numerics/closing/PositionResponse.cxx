@@ -15,7 +15,7 @@ namespace
 Eigen::MatrixXd Sources(
   const PotentialSolver& potential, const SeamlessMap& map, const std::vector<int>& moving)
 {
-  const MeshTopology& topology = *map.topology;
+  const PlanarTopology& topology = *RequirePlanar(map.topology);
   Eigen::MatrixXd sources =
     Eigen::MatrixXd::Zero(potential.Rows(), static_cast<Eigen::Index>(2 * moving.size()));
   for (std::size_t m = 0; m < moving.size(); ++m)
@@ -40,7 +40,7 @@ Eigen::MatrixXd Sources(
 /// Returns the distances from moving cones beyond which the map is accurate.
 Eigen::VectorXd FindAccurateDistances(const SeamlessMap& map, const std::vector<int>& moving)
 {
-  const MeshTopology& topology = *map.topology;
+  const PlanarTopology& topology = *RequirePlanar(map.topology);
   Eigen::VectorXd sums =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.points.size()));
   Eigen::VectorXd counts = sums;
@@ -85,10 +85,11 @@ PositionResponse::PositionResponse(const SeamlessMap& map,
     }
   }
   this->AccurateDistances = FindAccurateDistances(map, this->Moving);
-  const MeshTopology& topology = *map.topology;
+  const PlanarTopology& topology = *RequirePlanar(map.topology);
   if (!potential)
   {
-    potential = std::make_shared<const PotentialSolver>(map.topology, progress.Part(0.0, 0.5));
+    potential =
+      std::make_shared<const PotentialSolver>(RequirePlanar(map.topology), progress.Part(0.0, 0.5));
   }
   const Eigen::MatrixXd solution =
     0.25 * potential->SolveSingleValued(Sources(*potential, map, this->Moving));
@@ -120,7 +121,7 @@ PositionResponse::PositionResponse(const SeamlessMap& map,
 Eigen::VectorXd PositionResponse::SingularAngles(int edge) const
 {
   Eigen::VectorXd angles(this->Columns());
-  const Point middle = this->Map.topology->Midpoint(edge);
+  const Point middle = RequirePlanar(this->Map.topology)->Midpoint(edge);
   for (std::size_t m = 0; m < this->Moving.size(); ++m)
   {
     // The derivative of q arg(z − b) by the position b.
@@ -133,7 +134,7 @@ Eigen::VectorXd PositionResponse::SingularAngles(int edge) const
 void PositionResponse::AddRegular(int triangle, const Point& place,
   const std::complex<double>& factor, Eigen::Ref<Eigen::VectorXcd> row) const
 {
-  const MeshTopology& topology = *this->Map.topology;
+  const PlanarTopology& topology = *RequirePlanar(this->Map.topology);
   const auto& vertices = topology.mesh.triangles[Index(triangle)];
   const auto& edges = topology.edges.ofTriangle[Index(triangle)];
   const auto point = [&](std::size_t k) -> const Point&

@@ -31,9 +31,9 @@ public:
   {
     return this->Map.cones[static_cast<std::size_t>(this->Moving[m])];
   }
-  const Point& PositionOf(std::size_t m) const
+  Point PositionOf(std::size_t m) const
   {
-    return this->Map.topology->PointAt(this->ConeOf(m).vertex);
+    return this->Map.topology->PositionOf(this->ConeOf(m).vertex).head<2>();
   }
 
   /// Returns the distance from the m-th moving singularity beyond which the map is accurate: 2.5

@@ -30,7 +30,7 @@ std::vector<ConfigurationEnergy> Compare(const std::shared_ptr<const PotentialSo
   double coreRadius, const std::vector<Configuration>& configurations,
   const std::vector<CornerChoice>& corners, const Perforate& perforate, const Progress& progress)
 {
-  const MeshTopology& topology = potential->GetTopology();
+  const PlanarTopology& topology = potential->GetTopology();
   const double count = static_cast<double>(configurations.size());
   std::vector<ConfigurationEnergy> energies;
   for (std::size_t i = 0; i < configurations.size(); ++i)

@@ -19,7 +19,7 @@ DrillOptions OptionsOfSize(double meshSize)
   return options;
 }
 
-std::unique_ptr<const BaseTriangulation> Triangulate(const MeshTopology& topology)
+std::unique_ptr<const BaseTriangulation> Triangulate(const PlanarTopology& topology)
 {
   std::vector<bool> onBoundary(topology.mesh.points.size(), false);
   for (const BoundaryEdge& edge : topology.mesh.boundary)

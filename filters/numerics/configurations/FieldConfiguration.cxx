@@ -98,7 +98,7 @@ CoarseField SolveCoarseField(
   }
   // Each side has a triangle of its size, and more triangles up to the size of the others.
   const bool isDetailed = static_cast<double>(sides) > 0.5 * TriangleCount;
-  const SharedTopology topology = ShareTopology(DrillHoles(isDetailed
+  const SharedPlanarTopology topology = ShareTopology(DrillHoles(isDetailed
       ? CoarsenBoundary(domain, drill.meshSize, options.cornerAngle, options.corners)
       : domain,
     {}, drill, progress.Part(0.0, 0.2)));
@@ -114,7 +114,7 @@ CoarseField SolveCoarseField(
 
 std::vector<double> CrossAnglesAt(const CoarseField& coarse, const std::vector<Point>& places)
 {
-  const MeshTopology& topology = *coarse.field.topology;
+  const PlanarTopology& topology = *coarse.field.topology;
   std::vector<double> angles;
   for (const Point& place : places)
   {
@@ -136,7 +136,7 @@ FieldConfiguration ReadConfiguration(
 {
   FieldConfiguration result;
   const CrossField& field = coarse.field;
-  const MeshTopology& topology = *field.topology;
+  const PlanarTopology& topology = *field.topology;
   const PoincareHopfCount count =
     CountQuarters(topology.AlignedLoops(), 0, options.cornerAngle, options.corners);
 

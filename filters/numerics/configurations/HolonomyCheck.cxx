@@ -17,7 +17,7 @@ std::vector<double> HolonomyDefects(const PlanarDomain& domain, const Configurat
     return {};
   }
   constexpr double DefaultSize = 0.0;
-  const SharedTopology topology =
+  const SharedPlanarTopology topology =
     ShareTopology(MeshForPoints(domain, configuration, DefaultSize, progress.Part(0.0, 0.5)));
   const PlacedConfiguration placed = PlaceConfiguration(*topology, configuration, corners);
   Alignment alignment =

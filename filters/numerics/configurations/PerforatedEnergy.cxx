@@ -9,7 +9,7 @@
 namespace crossfield
 {
 PerforatedEnergy ComputePerforatedEnergy(
-  const SharedTopology& topology, const std::vector<CornerChoice>& corners)
+  const SharedPlanarTopology& topology, const std::vector<CornerChoice>& corners)
 {
   PerforatedEnergy result;
   constexpr auto Everywhere = PotentialSolver::Periods::IslandsAndHoles;

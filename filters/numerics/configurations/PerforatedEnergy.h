@@ -34,5 +34,5 @@ struct PerforatedEnergy
 ///
 /// Throws Error if the quarter indices violate Poincaré-Hopf.
 PerforatedEnergy ComputePerforatedEnergy(
-  const SharedTopology& topology, const std::vector<CornerChoice>& corners = {});
+  const SharedPlanarTopology& topology, const std::vector<CornerChoice>& corners = {});
 }

@@ -35,7 +35,7 @@ SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
 }
 }
 
-AlignedProblem::AlignedProblem(const MeshTopology& topology, const Eigen::VectorXd& weights)
+AlignedProblem::AlignedProblem(const PlanarTopology& topology, const Eigen::VectorXd& weights)
   : stiffness(CrouzeixRaviartStiffness(topology.mesh, topology.edges, weights))
 {
   const EdgeNumbering& edges = topology.edges;

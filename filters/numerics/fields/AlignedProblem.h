@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CrouzeixRaviart.h"
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 
 namespace crossfield
 {
@@ -17,7 +17,7 @@ struct AlignedProblem
   std::vector<Point> places;  ///< Midpoints of the free edges.
 
   /// Assembles the problem. `weights`: see CrouzeixRaviartStiffness.
-  explicit AlignedProblem(const MeshTopology& topology, const Eigen::VectorXd& weights = {});
+  explicit AlignedProblem(const PlanarTopology& topology, const Eigen::VectorXd& weights = {});
 
   /// Sets the values on the fixed edges.
   void Align(ComplexVector& u) const;

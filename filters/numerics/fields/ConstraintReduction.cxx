@@ -5,7 +5,7 @@
 
 namespace crossfield
 {
-DegreeConstraint ConstrainLoop(const MeshTopology& topology, const BoundaryLoop& loop, int first)
+DegreeConstraint ConstrainLoop(const PlanarTopology& topology, const BoundaryLoop& loop, int first)
 {
   std::vector<int> unknowns(loop.edges.size());
   std::iota(unknowns.begin(), unknowns.end(), first);

@@ -36,5 +36,5 @@ protected:
 
 /// Builds the degree constraint of a loop whose edges are consecutive unknowns starting at `first`.
 /// Throws Error when the loop has too few edges for its degree.
-DegreeConstraint ConstrainLoop(const MeshTopology& topology, const BoundaryLoop& loop, int first);
+DegreeConstraint ConstrainLoop(const PlanarTopology& topology, const BoundaryLoop& loop, int first);
 }

@@ -5,7 +5,7 @@
 namespace crossfield
 {
 DirectReduction::DirectReduction(
-  const MeshTopology& topology, const std::vector<BoundaryLoop>& loops)
+  const PlanarTopology& topology, const std::vector<BoundaryLoop>& loops)
   : Aligned(topology)
 {
   std::vector<int> freePosition(static_cast<std::size_t>(topology.edges.Count()), -1);

@@ -22,7 +22,7 @@ class DirectReduction final : public ConstraintReduction
 public:
   /// Reduces the problem. `loops` are holes and imprinted circles, with one degree constraint each.
   /// Throws Error when a loop has too few edges for its degree.
-  DirectReduction(const MeshTopology& topology, const std::vector<BoundaryLoop>& loops);
+  DirectReduction(const PlanarTopology& topology, const std::vector<BoundaryLoop>& loops);
   ~DirectReduction() override;
 
   const AlignedProblem& GetAligned() const { return this->Aligned; }

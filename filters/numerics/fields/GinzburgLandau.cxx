@@ -13,7 +13,7 @@ namespace crossfield
 {
 namespace
 {
-void RequireNoHoles(const MeshTopology& topology)
+void RequireNoHoles(const PlanarTopology& topology)
 {
   if (topology.LoopCount(BoundaryKind::Hole) > 0)
   {
@@ -52,7 +52,7 @@ ComplexVector Start(const GinzburgLandauOptions& options, const GinzburgLandauEn
 
 }
 
-double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& topology)
+double ResolveEpsilon(const GinzburgLandauOptions& options, const PlanarTopology& topology)
 {
   if (options.epsilon != 0.0)
   {
@@ -74,8 +74,8 @@ double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& 
   return sum / area;
 }
 
-GinzburgLandauField SolveGinzburgLandau(
-  const SharedTopology& topology, const GinzburgLandauOptions& options, const Progress& progress)
+GinzburgLandauField SolveGinzburgLandau(const SharedPlanarTopology& topology,
+  const GinzburgLandauOptions& options, const Progress& progress)
 {
   Stopwatch stopwatch;
   RequireNoHoles(*topology);

@@ -32,7 +32,7 @@ struct GinzburgLandauOptions
 };
 
 /// Returns the ε that the options select on a mesh.
-double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& topology);
+double ResolveEpsilon(const GinzburgLandauOptions& options, const PlanarTopology& topology);
 
 /// Local minimiser of GinzburgLandauEnergy, with the report of the solver. In the report:
 /// - energy = gradientEnergy + penaltyEnergy;
@@ -60,6 +60,6 @@ struct GinzburgLandauField : SolvedField
 /// Any domain is allowed, since the field chooses its singularities. Throws Error when the mesh has
 /// holes, ε is not positive, or the given start does not fit the mesh. An iteration that does not
 /// converge is not an error: see SolveReport::converged.
-GinzburgLandauField SolveGinzburgLandau(const SharedTopology& topology,
+GinzburgLandauField SolveGinzburgLandau(const SharedPlanarTopology& topology,
   const GinzburgLandauOptions& options = {}, const Progress& progress = {});
 }

@@ -73,7 +73,7 @@ std::ptrdiff_t PositionOf(SparseMatrix& matrix, Eigen::Index row, Eigen::Index c
 }
 
 GinzburgLandauEnergy::GinzburgLandauEnergy(
-  const MeshTopology& topology, double epsilon, const GinzburgLandauPinning& pinning)
+  const PlanarTopology& topology, double epsilon, const GinzburgLandauPinning& pinning)
   : InverseSquare(1.0 / (epsilon * epsilon))
   , Aligned(topology, CheckPinning(pinning, topology.mesh, topology.edges).gradientWeight)
 {

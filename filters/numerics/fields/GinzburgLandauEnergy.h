@@ -27,7 +27,7 @@ public:
   /// Assembles the functional. `epsilon` is a length. Throws Error when it is not positive, or the
   /// pinning has the wrong number of values or one out of range.
   GinzburgLandauEnergy(
-    const MeshTopology& topology, double epsilon, const GinzburgLandauPinning& pinning = {});
+    const PlanarTopology& topology, double epsilon, const GinzburgLandauPinning& pinning = {});
 
   /// Returns the edges whose value is not prescribed, in increasing order: the unknowns.
   const std::vector<int>& FreeEdges() const { return this->Aligned.free; }

@@ -35,7 +35,7 @@ std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd&
 void SetCores(const PointPotential& potential, const PointPotential::Solution& solution,
   Eigen::VectorXd& values)
 {
-  const MeshTopology& topology = potential.GetProblem().Topology();
+  const PlanarTopology& topology = potential.GetProblem().Topology();
   const std::vector<int>& atBoundary = potential.GetBoundaryLogVertices();
   const std::size_t inside = solution.logs.size() - atBoundary.size();
   for (int v = 0; v < static_cast<int>(values.size()); ++v)
@@ -102,7 +102,7 @@ ComplexVector AssembleField(
   const PointPotential& potential, const PointPotential::Solution& solution)
 {
   const PotentialProblem& problem = potential.GetProblem();
-  const MeshTopology& topology = problem.Topology();
+  const PlanarTopology& topology = problem.Topology();
   const int first = topology.FirstOuterEdge();
   const int firstEdge = topology.EdgeOfBoundary(first);
   const std::vector<LogSource>& ofBoundary = potential.GetBoundaryLogs();
@@ -215,7 +215,7 @@ HField SolveAtPoints(const PointPotential& potential, const Configuration& inter
 }
 
 /// Throws Error unless the singularity is in a hole of the same quarter index.
-void RequireHole(const MeshTopology& topology, const Singularity& singularity)
+void RequireHole(const PlanarTopology& topology, const Singularity& singularity)
 {
   for (const BoundaryLoop& loop : topology.loops)
   {
@@ -238,7 +238,7 @@ void RequireHole(const MeshTopology& topology, const Singularity& singularity)
 }
 
 /// Places the configuration on the mesh; throws Error when it is invalid.
-PlacedConfiguration Place(const MeshTopology& topology, const Configuration& configuration,
+PlacedConfiguration Place(const PlanarTopology& topology, const Configuration& configuration,
   const std::vector<CornerChoice>& corners)
 {
   for (std::size_t i = 0; i < configuration.size(); ++i)
@@ -263,7 +263,7 @@ PlacedConfiguration Place(const MeshTopology& topology, const Configuration& con
 HField SolvePlaced(const std::shared_ptr<const PotentialSolver>& potential,
   const PlacedConfiguration& placed, const Progress& progress)
 {
-  const MeshTopology& topology = potential->GetTopology();
+  const PlanarTopology& topology = potential->GetTopology();
   const bool holes = topology.LoopCount(BoundaryKind::Hole) > 0;
   Stopwatch stopwatch;
   const Alignment alignment =
@@ -287,7 +287,7 @@ HField SolveHField(const std::shared_ptr<const PotentialSolver>& potential,
   return SolvePlaced(potential, Place(potential->GetTopology(), configuration, corners), progress);
 }
 
-HField SolveHField(const SharedTopology& topology, const Configuration& configuration,
+HField SolveHField(const SharedPlanarTopology& topology, const Configuration& configuration,
   const std::vector<CornerChoice>& corners, const Progress& progress)
 {
   Stopwatch stopwatch;

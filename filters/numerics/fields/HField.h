@@ -38,7 +38,7 @@ struct HField
 /// Corners without a given index have the smallest rotation. If the sum is then wrong, they take
 /// the indices of the cheapest assignment (CornerClassification.h). Throws Error if the sum is
 /// still wrong, or a singularity is outside the domain.
-HField SolveHField(const SharedTopology& topology, const Configuration& configuration,
+HField SolveHField(const SharedPlanarTopology& topology, const Configuration& configuration,
   const std::vector<CornerChoice>& corners = {}, const Progress& progress = {});
 
 /// Solves for H on a mesh that has already been factored, with one back-substitution.

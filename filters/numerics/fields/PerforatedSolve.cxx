@@ -152,7 +152,7 @@ SolvedField SolvePerforated(const std::shared_ptr<const PotentialSolver>& potent
 }
 
 SolvedField SolvePerforated(
-  const SharedTopology& topology, const PerforatedOptions& options, const Progress& progress)
+  const SharedPlanarTopology& topology, const PerforatedOptions& options, const Progress& progress)
 {
   if (IsVariant(*topology, options))
   {

@@ -14,8 +14,8 @@ namespace crossfield
 ///
 /// Throws Error when the quarter indices violate Poincaré-Hopf or a hole has too few edges for its
 /// degree. An iteration that does not converge is not an error: see SolveReport::converged.
-SolvedField SolvePerforated(const SharedTopology& topology, const PerforatedOptions& options = {},
-  const Progress& progress = {});
+SolvedField SolvePerforated(const SharedPlanarTopology& topology,
+  const PerforatedOptions& options = {}, const Progress& progress = {});
 
 /// Solves on a mesh that has already been factored, so that any number of methods and corners share
 /// one factorisation. The variants are not supported.

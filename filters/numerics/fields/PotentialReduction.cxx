@@ -11,7 +11,7 @@ namespace
 Eigen::MatrixXd AlignedLoad(const PotentialProblem& problem)
 {
   const PotentialSolver& potential = *problem.potential;
-  const MeshTopology& topology = problem.Topology();
+  const PlanarTopology& topology = problem.Topology();
   const ComplexVector& crosses = problem.alignment.crosses;
   Eigen::MatrixXd load = Eigen::MatrixXd::Zero(potential.Rows(), 2);
   const auto set = [&load](Eigen::Index row, const Complex& value)
@@ -41,7 +41,7 @@ PotentialReduction::PotentialReduction(
   , Aligned(problem.potential->GetFactor().Eliminate(AlignedLoad(problem), periods))
 {
   const PotentialSolver& potential = *problem.potential;
-  const MeshTopology& topology = problem.Topology();
+  const PlanarTopology& topology = problem.Topology();
   for (const BoundaryLoop& loop : topology.loops)
   {
     if (loop.kind == BoundaryKind::Hole)
@@ -83,7 +83,7 @@ ComplexVector PotentialReduction::ValuesOf(const ComplexVector& u) const
 
 RecoveredField PotentialReduction::Recover(const ComplexVector& x) const
 {
-  const MeshTopology& topology = this->Problem.Topology();
+  const PlanarTopology& topology = this->Problem.Topology();
   const PotentialSolver& potential = *this->Problem.potential;
   Eigen::MatrixXd values(x.size(), 2);
   values << x.real(), x.imag();

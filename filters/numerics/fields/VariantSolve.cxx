@@ -18,7 +18,7 @@ namespace crossfield
 namespace
 {
 /// Returns all loops with a constraint: holes, then imprinted circles.
-std::vector<BoundaryLoop> ConstrainedLoops(const MeshTopology& topology)
+std::vector<BoundaryLoop> ConstrainedLoops(const PlanarTopology& topology)
 {
   std::vector<BoundaryLoop> loops;
   std::copy_if(topology.loops.begin(), topology.loops.end(), std::back_inserter(loops),
@@ -297,7 +297,7 @@ private:
 
   const PerforatedOptions& Options;
   const SolvedField& Blank;
-  const MeshTopology& Topology;
+  const PlanarTopology& Topology;
   std::vector<BoundaryLoop> Loops;
   std::vector<bool> Unit;
   bool Dual; ///< Whether there is one degree constraint per hole and nothing else.
@@ -307,14 +307,14 @@ private:
 };
 }
 
-bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options)
+bool IsVariant(const PlanarTopology& topology, const PerforatedOptions& options)
 {
   return !topology.imprinted.empty() || options.globalConstraint || !options.unitHoleRows.empty() ||
     options.epsilon != 0.0;
 }
 
 SolvedField SolveVariant(
-  const SharedTopology& topology, const PerforatedOptions& options, const Progress& progress)
+  const SharedPlanarTopology& topology, const PerforatedOptions& options, const Progress& progress)
 {
   Stopwatch stopwatch;
   CheckCombination(topology->mesh, options);

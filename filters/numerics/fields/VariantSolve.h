@@ -8,7 +8,7 @@ namespace crossfield
 {
 /// Returns whether a solve is one of the variants: the mesh has imprinted circles, or the options
 /// request the global constraint, unit norm on chosen holes, or the penalty.
-bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options);
+bool IsVariant(const PlanarTopology& topology, const PerforatedOptions& options);
 
 /// Computes the variants of the constrained solve (docs/method.md §3.7, 2 to 6; paper, "Analysis of
 /// the numerical results"), in any combination except the penalty with unit norms. Here "hole"
@@ -28,6 +28,6 @@ bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options);
 ///
 /// Throws Error as SolvePerforated does; an inconsistent sum is an error only where the domain is
 /// perforated and there is no penalty.
-SolvedField SolveVariant(const SharedTopology& topology, const PerforatedOptions& options = {},
-  const Progress& progress = {});
+SolvedField SolveVariant(const SharedPlanarTopology& topology,
+  const PerforatedOptions& options = {}, const Progress& progress = {});
 }

@@ -9,6 +9,7 @@
 namespace crossfield
 {
 using Point = Eigen::Vector2d;
+using SpacePoint = Eigen::Vector3d; ///< In the plane, z is 0.
 /// Closed polygon; the last point is joined to the first, and no point is repeated.
 using Loop = std::vector<Point>;
 

@@ -19,7 +19,7 @@ namespace
 void EvaluateEnergy(const FactoredDomain& domain, const Configuration& singularities,
   const SeamlessMapOptions& options, LayoutDesign& design)
 {
-  const MeshTopology& topology = domain.GetPotential()->GetTopology();
+  const PlanarTopology& topology = domain.GetPotential()->GetTopology();
   const PlacedConfiguration placed = PlaceForMap(topology, singularities, options);
   const PointPotential potential(domain.GetPotential(),
     AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace crossfield
@@ -18,12 +19,13 @@ Loop OutlineOf(const TMesh& mesh, const TPatch& patch)
   {
     for (const int half : side)
     {
-      std::vector<Point> path = mesh.arcs[Index(half / 2)].polyline;
+      std::vector<SpacePoint> path = mesh.arcs[Index(half / 2)].polyline;
       if (half % 2 == 1)
       {
         std::reverse(path.begin(), path.end());
       }
-      outline.insert(outline.end(), path.begin(), path.end() - 1);
+      std::transform(path.begin(), path.end() - 1, std::back_inserter(outline),
+        [](const SpacePoint& place) { return place.head<2>(); });
     }
   }
   return outline;

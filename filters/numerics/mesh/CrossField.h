@@ -1,14 +1,14 @@
 #pragma once
 
 #include "CrouzeixRaviart.h"
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 
 namespace crossfield
 {
 /// Crouzeix-Raviart cross field on a mesh (docs/method.md §1, §2.1).
 struct CrossField
 {
-  SharedTopology topology;
+  SharedPlanarTopology topology;
   ComplexVector u; ///< Representation of the cross at each edge, approximately e^{4iθ}.
 };
 

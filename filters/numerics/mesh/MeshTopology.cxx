@@ -1,6 +1,6 @@
 #include "MeshTopology.h"
 
-#include "Error.h"
+#include "TriangleArea.h"
 
 #include <algorithm>
 #include <utility>
@@ -60,33 +60,6 @@ MeshTopology::MeshTopology(TriangleMesh triangles)
   , alignedVertices(FindAlignedVertices(this->mesh, this->loops))
   , corners(this->mesh.points.size(), false)
 {
-  const auto direction = [this](int position) -> Point
-  {
-    const auto& [from, to] = this->BoundaryAt(position).vertices;
-    return this->PointAt(to) - this->PointAt(from);
-  };
-  for (int i = 0; i < static_cast<int>(this->turning.size()); ++i)
-  {
-    this->turning[i] =
-      AngleBetween(direction(this->previous[static_cast<std::size_t>(i)]), direction(i));
-    const BoundaryEdge& edge = this->BoundaryAt(i);
-    this->corners[static_cast<std::size_t>(edge.vertices[0])] =
-      edge.IsAligned() && IsCorner(this->turning[i]);
-  }
-}
-
-std::vector<Loop> MeshTopology::AlignedLoops() const
-{
-  std::vector<Loop> aligned;
-  for (const std::vector<int>& vertices : this->alignedVertices)
-  {
-    aligned.emplace_back();
-    for (const int vertex : vertices)
-    {
-      aligned.back().push_back(this->PointAt(vertex));
-    }
-  }
-  return aligned;
 }
 
 Eigen::Index MeshTopology::LoopCount(BoundaryKind kind) const
@@ -95,19 +68,28 @@ Eigen::Index MeshTopology::LoopCount(BoundaryKind kind) const
     [kind](const BoundaryLoop& loop) { return loop.kind == kind; });
 }
 
-int MeshTopology::FirstOuterEdge() const
+int MeshTopology::SideOf(int triangle, int edge) const
 {
-  const auto outer = std::find_if(this->loops.begin(), this->loops.end(),
-    [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Outer; });
-  if (outer == this->loops.end())
-  {
-    throw Error("The mesh has no outer boundary loop; give a mesh made by the drill filter.");
-  }
-  return outer->edges.front();
+  const auto& sides = this->edges.ofTriangle[static_cast<std::size_t>(triangle)];
+  return static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
 }
 
-SharedTopology ShareTopology(TriangleMesh mesh)
+std::pair<int, int> MeshTopology::SideOfBoundary(int position) const
 {
-  return std::make_shared<const MeshTopology>(std::move(mesh));
+  const int edge = this->EdgeOfBoundary(position);
+  const int triangle = this->edges.triangles[static_cast<std::size_t>(edge)][0];
+  return { triangle, this->SideOf(triangle, edge) };
+}
+
+double MeshTopology::Length(int edge) const
+{
+  const int triangle = this->edges.triangles[static_cast<std::size_t>(edge)][0];
+  const int side = this->SideOf(triangle, edge);
+  return (this->At(triangle, (side + 1) % 3) - this->At(triangle, side)).norm();
+}
+
+double MeshTopology::AreaOf(int triangle) const
+{
+  return TriangleArea(this->At(triangle, 0), this->At(triangle, 1), this->At(triangle, 2));
 }
 }

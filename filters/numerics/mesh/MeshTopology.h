@@ -1,25 +1,36 @@
 #pragma once
 
-#include "BoundaryCorners.h"
 #include "EdgeNumbering.h"
 
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 
 namespace crossfield
 {
+/// An isometric chart for each triangle: places of its corners in a plane of its own, and how the
+/// planes of neighbours are turned against each other.
+struct TriangleCharts
+{
+  std::vector<std::array<Point, 3>> corners; ///< Counter-clockwise.
+  /// Per side of a triangle: direction a in its chart is a + hinge in that of the neighbour, radians.
+  std::vector<std::array<double, 3>> hinges;
+};
+
 /// Triangle mesh with all data derived from it alone. It is computed once, never changes, and is
 /// shared by the factor, the fields and the reports of the mesh.
+///
+/// It has lengths and angles, but no common frame of its triangles: what needs one takes a
+/// PlanarTopology.
 ///
 /// Edges and vertices of outer and inner loops are called aligned, because crosses follow the
 /// boundary there. The other boundary edges and vertices are those of holes.
 struct MeshTopology
 {
-  /// Computes the derived data. Throws Error as NumberEdges and FindBoundaryLoops do.
-  explicit MeshTopology(TriangleMesh triangles);
-
   TriangleMesh mesh;
+  /// None if the mesh is planar: the plane is the chart of every triangle.
+  std::optional<TriangleCharts> charts;
   EdgeNumbering edges;
   std::vector<BoundaryLoop> loops;     ///< Outer loop, inner loops, holes.
   std::vector<BoundaryLoop> imprinted; ///< Imprinted circles.
@@ -35,7 +46,10 @@ struct MeshTopology
   /// For each vertex, whether it is a corner of an aligned loop (IsCorner with the default angle).
   std::vector<bool> corners;
 
-  const Point& PointAt(int vertex) const { return mesh.points[static_cast<std::size_t>(vertex)]; }
+  virtual ~MeshTopology() = default;
+
+  int VertexCount() const { return static_cast<int>(mesh.points.size()); }
+  int TriangleCount() const { return static_cast<int>(mesh.triangles.size()); }
   const BoundaryEdge& BoundaryAt(int position) const
   {
     return mesh.boundary[static_cast<std::size_t>(position)];
@@ -45,28 +59,66 @@ struct MeshTopology
   {
     return edges.ofBoundary[static_cast<std::size_t>(position)];
   }
-  Point Midpoint(int edge) const
-  {
-    const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
-    return 0.5 * (PointAt(from) + PointAt(to));
-  }
-  /// Returns the mesh vertex of a corner of AlignedLoops.
-  int VertexOf(const Corner& corner) const
-  {
-    return alignedVertices[static_cast<std::size_t>(corner.loop)]
-                          [static_cast<std::size_t>(corner.vertex)];
-  }
-
-  /// Returns the polygons of the aligned loops, with the domain on their left.
-  std::vector<Loop> AlignedLoops() const;
   /// Returns the number of loops of a kind.
   Eigen::Index LoopCount(BoundaryKind kind) const;
-  /// Returns an entry of mesh.boundary on the outer loop, where integration along edges starts.
-  /// Throws Error if there is no outer loop.
-  int FirstOuterEdge() const;
+
+  /// Returns the triangle across side i of a triangle, from its vertex i to the next one; −1 if there
+  /// is none.
+  int Neighbour(int triangle, int side) const
+  {
+    const auto& two = edges.triangles[static_cast<std::size_t>(EdgeOf(triangle, side))];
+    return two[0] == triangle ? two[1] : two[0];
+  }
+  int EdgeOf(int triangle, int side) const
+  {
+    return edges.ofTriangle[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(side)];
+  }
+  /// Returns the side of a triangle at an edge.
+  int SideOf(int triangle, int edge) const;
+  /// Returns the triangle and its side at an entry of mesh.boundary.
+  std::pair<int, int> SideOfBoundary(int position) const;
+
+  /// Returns the place of a corner in the chart of a triangle.
+  const Point& At(int triangle, int corner) const
+  {
+    const auto t = static_cast<std::size_t>(triangle);
+    const auto i = static_cast<std::size_t>(corner);
+    return charts ? charts->corners[t][i]
+                  : mesh.points[static_cast<std::size_t>(mesh.triangles[t][i])];
+  }
+  std::array<Point, 3> ChartOf(int triangle) const
+  {
+    return { At(triangle, 0), At(triangle, 1), At(triangle, 2) };
+  }
+  Point CentreOf(int triangle) const
+  {
+    return (At(triangle, 0) + At(triangle, 1) + At(triangle, 2)) / 3.0;
+  }
+  /// Returns the angle from the chart of a triangle to that across a side: 0 in the plane.
+  double Hinge(int triangle, int side) const
+  {
+    return charts
+      ? charts->hinges[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(side)]
+      : 0.0;
+  }
+  double Length(int edge) const;
+  double AreaOf(int triangle) const;
+  /// Returns the position of a vertex.
+  SpacePoint PositionOf(int vertex) const
+  {
+    const Point& point = mesh.points[static_cast<std::size_t>(vertex)];
+    return { point.x(), point.y(), 0.0 };
+  }
+  /// Returns the position of a vertex, for messages.
+  std::string Where(int vertex) const
+  {
+    return Describe(mesh.points[static_cast<std::size_t>(vertex)]);
+  }
+
+protected:
+  /// Computes the derived data without angles. Throws Error as NumberEdges and FindBoundaryLoops do.
+  explicit MeshTopology(TriangleMesh triangles);
 };
 
 using SharedTopology = std::shared_ptr<const MeshTopology>;
-
-SharedTopology ShareTopology(TriangleMesh mesh);
 }

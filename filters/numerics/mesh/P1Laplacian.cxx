@@ -36,15 +36,17 @@ double OffDiagonal(const TriangleMesh& mesh, std::size_t t, const std::array<int
 }
 }
 
-Eigen::Matrix3d P1ElementStiffness(const TriangleMesh& mesh, std::size_t t)
+Eigen::Matrix3d P1ElementStiffness(const std::array<Point, 3>& corners)
 {
-  const auto& triangle = mesh.triangles[t];
-  const Point& p0 = mesh.points[static_cast<std::size_t>(triangle[0])];
-  const Point& p1 = mesh.points[static_cast<std::size_t>(triangle[1])];
-  const Point& p2 = mesh.points[static_cast<std::size_t>(triangle[2])];
+  const double area = TriangleArea(corners[0], corners[1], corners[2]);
+  if (!(area > 0.0))
+  {
+    throw Error("A triangle near " + Describe(corners[0]) +
+      " has no area or is clockwise; remesh the domain with the drill filter.");
+  }
   Eigen::Matrix<double, 2, 3> opposite;
-  opposite << p2 - p1, p0 - p2, p1 - p0;
-  return opposite.transpose() * opposite / (4.0 * PositiveArea(mesh, t));
+  opposite << corners[2] - corners[1], corners[0] - corners[2], corners[1] - corners[0];
+  return opposite.transpose() * opposite / (4.0 * area);
 }
 
 Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges)

@@ -14,6 +14,6 @@ namespace crossfield
 /// under scaling of the mesh. Throws Error for a triangle without area.
 Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges);
 
-/// Returns the element matrix of triangle t, in the order of its vertices.
-Eigen::Matrix3d P1ElementStiffness(const TriangleMesh& mesh, std::size_t t);
+/// Returns the element matrix of a triangle with corners in any plane. Throws Error as above.
+Eigen::Matrix3d P1ElementStiffness(const std::array<Point, 3>& corners);
 }

@@ -5,12 +5,14 @@
 namespace crossfield
 {
 /// Returns the signed area of a triangle, positive if its corners are counter-clockwise.
+inline double TriangleArea(const Point& a, const Point& b, const Point& c)
+{
+  return 0.5 * Cross(b - a, c - a);
+}
 inline double TriangleArea(const std::vector<Point>& points, const std::array<int, 3>& triangle)
 {
-  const Point& origin = points[static_cast<std::size_t>(triangle[0])];
-  return 0.5 *
-    Cross(points[static_cast<std::size_t>(triangle[1])] - origin,
-      points[static_cast<std::size_t>(triangle[2])] - origin);
+  return TriangleArea(points[static_cast<std::size_t>(triangle[0])],
+    points[static_cast<std::size_t>(triangle[1])], points[static_cast<std::size_t>(triangle[2])]);
 }
 inline double TriangleArea(const TriangleMesh& mesh, const std::array<int, 3>& triangle)
 {

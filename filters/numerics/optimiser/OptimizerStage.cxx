@@ -97,7 +97,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
     }
   }
   options.objective.budget->Spend(SolvesOfFactorisation);
-  const SharedTopology topology = ShareTopology(DrillHoles(refined, {}, drill, progress));
+  const SharedPlanarTopology topology = ShareTopology(DrillHoles(refined, {}, drill, progress));
   OptimizerStage stage;
   stage.tracked = tracked;
   stage.corners = options.corners;

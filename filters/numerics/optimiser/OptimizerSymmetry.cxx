@@ -64,7 +64,7 @@ ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const S
   const Configuration& interior, double distance, const IsometryTest& keeps)
 {
   Configuration all = interior;
-  const MeshTopology& topology = potential.GetProblem().Topology();
+  const PlanarTopology& topology = potential.GetProblem().Topology();
   for (const auto& [vertex, quarters] : potential.GetProblem().alignment.chosenQuarters)
   {
     all.push_back({ topology.PointAt(vertex), quarters, 0.0 });

@@ -19,7 +19,7 @@ BoundaryVertices::BoundaryVertices(const OptimizerStage& stage)
   : reach(BoundaryReach * stage.objective->LengthUnit())
   , quadSize(stage.quadSize)
 {
-  const MeshTopology& topology = stage.potential->GetProblem().Topology();
+  const PlanarTopology& topology = stage.potential->GetProblem().Topology();
   const Alignment& alignment = stage.potential->GetProblem().alignment;
   const std::vector<Loop> loops = topology.AlignedLoops();
   for (std::size_t loop = 0; loop < loops.size(); ++loop)

@@ -52,9 +52,9 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
   {
     this->Quarters[Index(cone.vertex)] = cone.Quarters();
   }
-  for (const auto& [a, b] : topology.edges.vertices)
+  for (int e = 0; e < topology.edges.Count(); ++e)
   {
-    this->Logs.push_back(std::log((topology.PointAt(b) - topology.PointAt(a)).norm()));
+    this->Logs.push_back(std::log(topology.Length(e)));
   }
   for (int t = 0; t < static_cast<int>(this->AllTriangles.size()); ++t)
   {
@@ -64,9 +64,8 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
     triangle.jumps = jumps[Index(t)];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const auto& two = topology.edges.triangles[Index(triangle.edges[i])];
       const int entry = entries[Index(triangle.edges[i])];
-      triangle.neighbours[i] = entry >= 0 ? -1 - entry : two[0] == t ? two[1] : two[0];
+      triangle.neighbours[i] = entry >= 0 ? -1 - entry : topology.Neighbour(t, static_cast<int>(i));
     }
     this->Attach(t);
     this->Measure(t);

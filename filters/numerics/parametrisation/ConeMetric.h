@@ -52,7 +52,7 @@ public:
     int side = -1;
   };
 
-  /// Constructs the metric of the plane. `jumps` are those of TriangleFrames with continuous
+  /// Constructs the metric of a mesh. `jumps` are those of TriangleFrames with continuous
   /// branches or not, `cones` the vertices with angles other than 2π, or π on the boundary. The
   /// directions of a boundary loop follow from that of its first edge.
   ConeMetric(const MeshTopology& topology, const std::vector<std::array<int, 3>>& jumps,

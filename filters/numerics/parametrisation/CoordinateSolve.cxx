@@ -31,7 +31,8 @@ std::vector<Coupling> CoupleCorners(const SeamlessMap& map, const std::vector<do
   std::vector<Coupling> couplings(Index(topology.edges.Count()), { -1, -1, 0.0 });
   for (std::size_t t = 0; t < topology.mesh.triangles.size(); ++t)
   {
-    const Eigen::Matrix3d element = weights[t] * P1ElementStiffness(topology.mesh, t);
+    const Eigen::Matrix3d element =
+      weights[t] * P1ElementStiffness(topology.ChartOf(static_cast<int>(t)));
     for (std::size_t i = 0; i < 3; ++i)
     {
       const std::size_t next = (i + 1) % 3;
@@ -127,7 +128,7 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
       ++dependents[unknown];
       if (vertex < map.original.size()) // descending: the first vertex sets the position
       {
-        order.places[unknown] = map.topology->PointAt(map.original[vertex]);
+        order.places[unknown] = map.topology->PositionOf(map.original[vertex]).head<2>();
       }
     }
   }

@@ -1,6 +1,7 @@
 #include "CutGraph.h"
 
 #include "Index.h"
+#include "UnionFind.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,36 +12,6 @@ namespace crossfield
 {
 namespace
 {
-/// Disjoint sets of numbers.
-class UnionFind
-{
-public:
-  explicit UnionFind(std::size_t count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  int Find(int i)
-  {
-    while (this->Parent[Index(i)] != i)
-    {
-      i = this->Parent[Index(i)] = this->Parent[Index(this->Parent[Index(i)])];
-    }
-    return i;
-  }
-  /// Joins the sets of i and j; returns whether they were different.
-  bool Join(int i, int j)
-  {
-    i = this->Find(i);
-    j = this->Find(j);
-    this->Parent[Index(std::max(i, j))] = std::min(i, j);
-    return i != j;
-  }
-
-private:
-  std::vector<int> Parent;
-};
-
 /// Shortest edge paths from the boundary to vertices inside.
 struct ShortestPaths
 {
@@ -52,7 +23,7 @@ struct ShortestPaths
 /// Finds the paths to all goals by Dijkstra's algorithm.
 ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<bool>& isGoal)
 {
-  const std::size_t count = topology.mesh.points.size();
+  const std::size_t count = Index(topology.VertexCount());
   const EdgeNumbering& edges = topology.edges;
   // Edges at every vertex.
   std::vector<int> start(count + 1, 0);
@@ -101,7 +72,7 @@ ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<b
       const int e = incident[Index(i)];
       const auto& [a, b] = edges.vertices[Index(e)];
       const int other = a == v ? b : a;
-      const double reached = length + (topology.PointAt(a) - topology.PointAt(b)).norm();
+      const double reached = length + topology.Length(e);
       if (reached < paths.length[Index(other)])
       {
         paths.length[Index(other)] = reached;
@@ -135,9 +106,7 @@ void JoinLoops(const MeshTopology& topology, const ShortestPaths& paths, std::ve
     const auto& [a, b] = topology.edges.vertices[Index(e)];
     if (paths.loop[Index(a)] != paths.loop[Index(b)])
     {
-      bridges.emplace_back(paths.length[Index(a)] + paths.length[Index(b)] +
-          (topology.PointAt(a) - topology.PointAt(b)).norm(),
-        e);
+      bridges.emplace_back(paths.length[Index(a)] + paths.length[Index(b)] + topology.Length(e), e);
     }
   }
   std::sort(bridges.begin(), bridges.end());
@@ -159,7 +128,7 @@ void JoinLoops(const MeshTopology& topology, const ShortestPaths& paths, std::ve
 std::vector<CutGraph::Chain> FindChains(
   const MeshTopology& topology, const std::vector<bool>& isCut, const std::vector<int>& singular)
 {
-  const std::size_t count = topology.mesh.points.size();
+  const std::size_t count = Index(topology.VertexCount());
   std::vector<std::vector<int>> cutAt(count);
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
@@ -218,7 +187,7 @@ std::vector<CutGraph::Chain> FindChains(
 void NumberCorners(const MeshTopology& topology, CutGraph& cut)
 {
   const auto& triangles = topology.mesh.triangles;
-  std::vector<bool> isOnCut(topology.mesh.points.size(), false);
+  std::vector<bool> isOnCut(Index(topology.VertexCount()), false);
   for (const CutGraph::Chain& chain : cut.chains)
   {
     for (const int v : chain.vertices)
@@ -248,8 +217,8 @@ void NumberCorners(const MeshTopology& topology, CutGraph& cut)
   }
   // The first copy of a vertex keeps its number.
   std::vector<int> number(3 * triangles.size(), -1);
-  std::vector<bool> taken(topology.mesh.points.size(), false);
-  cut.original.resize(topology.mesh.points.size());
+  std::vector<bool> taken(Index(topology.VertexCount()), false);
+  cut.original.resize(Index(topology.VertexCount()));
   std::iota(cut.original.begin(), cut.original.end(), 0);
   cut.corners.resize(triangles.size());
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
@@ -285,7 +254,7 @@ CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
   cut.isCut.assign(Index(topology.edges.Count()), false);
   // Joining loops needs the paths to all vertices.
   const bool joins = topology.loops.size() > 1;
-  std::vector<bool> isGoal(topology.mesh.points.size(), joins);
+  std::vector<bool> isGoal(Index(topology.VertexCount()), joins);
   for (const int vertex : singular)
   {
     isGoal[Index(vertex)] = true;

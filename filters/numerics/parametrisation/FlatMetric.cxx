@@ -43,7 +43,7 @@ std::vector<double> LogScales(
     {
       const int j = (i + 1) % 3;
       const double image = (targets.target[t].row(j) - targets.target[t].row(i)).norm();
-      const double length = (topology.PointAt(v[Index(j)]) - topology.PointAt(v[Index(i)])).norm();
+      const double length = topology.Length(topology.EdgeOf(static_cast<int>(t), i));
       given[std::minmax(v[Index(i)], v[Index(j)])].Add(std::log(image / length));
     }
   }
@@ -93,12 +93,12 @@ void ScaleLengths(const std::vector<double>& scales, ConeMetric& metric)
 }
 }
 
-FlattenedTargets FlattenFrames(const SharedTopology& topology, const TriangleFrames& frames,
+FlattenedTargets FlattenFrames(const PlanarTopology& topology, const TriangleFrames& frames,
   const std::vector<Cone>& cones, const Progress& progress)
 {
-  ConeMetric start(*topology, frames.jump, cones);
+  ConeMetric start(topology, frames.jump, cones);
   SplitNarrowFans(start);
-  ScaleLengths(LogScales(*topology, TargetGradients(*topology, frames), start), start);
+  ScaleLengths(LogScales(topology, TargetGradients(topology, frames), start), start);
   FlattenedTargets result;
   // 0.3 to 0.7 is a good compromise: near 0 the maximum of the strain is least and its mean large,
   // near 1 strains are unbounded at the poles (docs/method.md §12.5).

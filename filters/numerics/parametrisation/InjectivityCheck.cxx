@@ -7,11 +7,9 @@ namespace crossfield
 std::optional<MapFault> FindFault(const SeamlessMap& map)
 {
   const MeshTopology& topology = *map.topology;
-  const auto triangles = static_cast<int>(map.corners.size());
   MapFault fault;
-  Eigen::VectorXd angles =
-    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.points.size()));
-  for (int t = 0; t < triangles; ++t)
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(topology.VertexCount());
+  for (int t = 0; t < topology.TriangleCount(); ++t)
   {
     const Point& a = map.At(t, 0);
     const Point& b = map.At(t, 1);
@@ -19,7 +17,7 @@ std::optional<MapFault> FindFault(const SeamlessMap& map)
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
     if (!(Cross(b - a, c - a) > 0.0))
     {
-      fault.place = fault.reversed == 0 ? topology.PointAt(v[0]) : fault.place;
+      fault.where = fault.reversed == 0 ? topology.Where(v[0]) : fault.where;
       ++fault.reversed;
     }
     angles[v[0]] += AngleBetween(b - a, c - a);
@@ -30,7 +28,7 @@ std::optional<MapFault> FindFault(const SeamlessMap& map)
   {
     return fault;
   }
-  std::vector<int> quarters(topology.mesh.points.size(), 4);
+  std::vector<int> quarters(static_cast<std::size_t>(topology.VertexCount()), 4);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
   {
     quarters[static_cast<std::size_t>(edge.vertices[0])] = 2;
@@ -45,7 +43,7 @@ std::optional<MapFault> FindFault(const SeamlessMap& map)
     // Seams and sides allow multiples of a quarter turn only; smaller differences are rounding.
     if (angles[v] > 0.0 && std::abs(angles[v] - expected) > 0.25 * Pi)
     {
-      return MapFault{ 0, topology.PointAt(v), angles[v], expected };
+      return MapFault{ 0, topology.Where(v), angles[v], expected };
     }
   }
   return std::nullopt;

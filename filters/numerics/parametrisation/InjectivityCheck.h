@@ -3,14 +3,15 @@
 #include "SeamlessMap.h"
 
 #include <optional>
+#include <string>
 
 namespace crossfield
 {
 /// Where a map is not locally injective.
 struct MapFault
 {
-  int reversed = 0; ///< Number of triangles that are not positive.
-  Point place = Point::Zero();
+  int reversed = 0;  ///< Number of triangles that are not positive.
+  std::string where; ///< Position, for messages.
   /// If all triangles are positive: the sum of the angles at a vertex, and what it should be.
   double angleSum = 0.0;
   double expectedSum = 0.0;

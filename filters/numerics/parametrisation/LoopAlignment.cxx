@@ -1,6 +1,6 @@
 #include "LoopAlignment.h"
 
-#include "Index.h"
+#include "TriangleSearch.h"
 
 namespace crossfield
 {
@@ -13,23 +13,12 @@ using Side = ConeMetric::Side;
 std::vector<Side> SearchFrom(const ConeMetric& metric, int start)
 {
   std::vector<Side> reached(metric.Triangles().size());
-  std::vector<bool> known(metric.Triangles().size(), false);
-  known[Index(start)] = true;
-  std::vector<int> queue = { start };
-  for (std::size_t next = 0; next < queue.size(); ++next)
-  {
-    const int t = queue[next];
-    for (int i = 0; i < 3; ++i)
-    {
-      const int neighbour = metric.Triangles()[Index(t)].neighbours[Index(i)];
-      if (neighbour >= 0 && !known[Index(neighbour)])
-      {
-        known[Index(neighbour)] = true;
-        reached[Index(neighbour)] = { t, i };
-        queue.push_back(neighbour);
-      }
-    }
-  }
+  SearchTriangles(
+    static_cast<int>(reached.size()), start,
+    [&metric](int t, int side) { return metric.Triangles()[Index(t)].neighbours[Index(side)]; },
+    [&reached](int t, int side, int next) {
+      reached[Index(next)] = { t, side };
+    });
   return reached;
 }
 

@@ -1,7 +1,9 @@
 #include "MapTargets.h"
 
 #include "Index.h"
+#include "PlanarTopology.h"
 #include "TriangleArea.h"
+#include "TriangleSearch.h"
 
 #include <cmath>
 
@@ -15,7 +17,6 @@ std::vector<double> DirectionsOfSides(const ConeMetric& metric)
 {
   const auto& triangles = metric.Triangles();
   std::vector<double> directions(triangles.size());
-  std::vector<bool> known(triangles.size(), false);
   // Direction of a side relative to side 0.
   const auto relative = [&metric](int t, int side)
   {
@@ -23,28 +24,18 @@ std::vector<double> DirectionsOfSides(const ConeMetric& metric)
     return side == 0 ? 0.0 : side == 1 ? Pi - angles[1] : angles[0] - Pi;
   };
   const auto set = [&](const ConeMetric::Side& side, double direction)
-  {
-    directions[Index(side.triangle)] = WrapAngle(direction - relative(side.triangle, side.side));
-    known[Index(side.triangle)] = true;
-  };
+  { directions[Index(side.triangle)] = WrapAngle(direction - relative(side.triangle, side.side)); };
   const ConeMetric::Side start = metric.AtBoundary(metric.LoopStarts().front());
   set(start, 0.5 * Pi * triangles[Index(start.triangle)].jumps[Index(start.side)]);
-  std::vector<int> queue = { start.triangle };
-  for (std::size_t next = 0; next < queue.size(); ++next)
-  {
-    const int t = queue[next];
-    for (int i = 0; i < 3; ++i)
+  SearchTriangles(
+    static_cast<int>(triangles.size()), start.triangle,
+    [&](int t, int side) { return triangles[Index(t)].neighbours[Index(side)]; },
+    [&](int t, int side, int)
     {
-      const int neighbour = triangles[Index(t)].neighbours[Index(i)];
-      if (neighbour >= 0 && !known[Index(neighbour)])
-      {
-        set(metric.Across({ t, i }),
-          directions[Index(t)] + relative(t, i) + Pi +
-            0.5 * Pi * triangles[Index(t)].jumps[Index(i)]);
-        queue.push_back(neighbour);
-      }
-    }
-  }
+      set(metric.Across({ t, side }),
+        directions[Index(t)] + relative(t, side) + Pi +
+          0.5 * Pi * triangles[Index(t)].jumps[Index(side)]);
+    });
   return directions;
 }
 }

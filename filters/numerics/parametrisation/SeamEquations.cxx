@@ -90,8 +90,8 @@ private:
   {
     const std::size_t vertices = cut.original.size();
     std::vector<int> ranks(2 * (vertices + cut.chains.size()), Vertices);
-    std::fill(ranks.begin() + static_cast<std::ptrdiff_t>(2 * topology.mesh.points.size()),
-      ranks.end(), Copies);
+    std::fill(
+      ranks.begin() + static_cast<std::ptrdiff_t>(2 * topology.VertexCount()), ranks.end(), Copies);
     std::fill(ranks.begin() + static_cast<std::ptrdiff_t>(2 * vertices), ranks.end(), Translations);
     for (const Cone& cone : cones)
     {

@@ -1,7 +1,10 @@
 #include "SeamlessMap.h"
 
+#include "TriangleArea.h"
+
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace crossfield
@@ -16,6 +19,28 @@ SeamTransition SeamlessMap::Across(int triangle, int side) const
   const SeamTransition& transition =
     this->transitions[static_cast<std::size_t>(std::abs(seam) - 1)];
   return seam > 0 ? transition : transition.Inverse();
+}
+
+SpacePoint SeamlessMap::PlaceOf(int triangle, const Point& w) const
+{
+  // Barycentric coordinates up to a factor: corner i is opposite to side i + 1.
+  std::array<double, 3> areas{};
+  double sum = 0.0;
+  for (int side = 0; side < 3; ++side)
+  {
+    const double area =
+      TriangleArea(this->At(triangle, side), this->At(triangle, (side + 1) % 3), w);
+    areas[static_cast<std::size_t>((side + 2) % 3)] = std::max(0.0, area);
+    sum += std::max(0.0, area);
+  }
+  SpacePoint place = SpacePoint::Zero();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    place += (areas[i] / sum) *
+      this->topology->PositionOf(
+        this->topology->mesh.triangles[static_cast<std::size_t>(triangle)][i]);
+  }
+  return place;
 }
 
 double SeamlessMap::Extent() const

@@ -89,6 +89,9 @@ struct SeamlessMap
   }
   /// Returns the transition across a side of a triangle; the identity where it is no seam.
   SeamTransition Across(int triangle, int side) const;
+  /// Returns the point of the domain at which a triangle has coordinates w, or, for coordinates outside
+  /// it, a point of its outline.
+  SpacePoint PlaceOf(int triangle, const Point& w) const;
   /// Returns the diagonal of the bounding box of w, to which tolerances are relative.
   double Extent() const;
 };

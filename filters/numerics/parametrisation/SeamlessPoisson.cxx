@@ -16,25 +16,25 @@ namespace
 using Complex = std::complex<double>;
 
 /// Returns values at the corners of a triangle of a function with the target derivative: that at
-/// the centre, times (ζ / ζ_c)^{−d/4} near a logarithm d log|ζ|, whose singular part the map then
-/// reproduces exactly.
+/// the centre, times (ζ / ζ_c)^{p − 1} near a cone, whose singular part the map then reproduces
+/// exactly.
 std::array<Complex, 3> LocalPrimitive(
-  const std::array<Point, 3>& corners, Complex derivative, const LogSource* log)
+  const std::array<Point, 3>& corners, Complex derivative, const NearCone* cone)
 {
   std::array<Complex, 3> values;
   const Point centre = (corners[0] + corners[1] + corners[2]) / 3.0;
   const auto complex = [](const Point& point) { return Complex(point.x(), point.y()); };
   for (std::size_t i = 0; i < 3; ++i)
   {
-    if (log == nullptr)
+    if (cone == nullptr)
     {
       values[i] = derivative * complex(corners[i] - corners[0]);
       continue;
     }
-    const double power = 1.0 - 0.25 * log->strength;
-    const Complex toCentre = complex(centre - log->position);
-    const Complex ratio = complex(corners[i] - log->position) / toCentre;
-    values[i] = ratio == 0.0 ? 0.0 : derivative * toCentre / power * std::pow(ratio, power);
+    const Complex toCentre = complex(centre - cone->position);
+    const Complex ratio = complex(corners[i] - cone->position) / toCentre;
+    values[i] =
+      ratio == 0.0 ? 0.0 : derivative * toCentre / cone->power * std::pow(ratio, cone->power);
   }
   return values;
 }
@@ -42,28 +42,24 @@ std::array<Complex, 3> LocalPrimitive(
 
 SeamlessPoisson TargetGradients(const MeshTopology& topology, const TriangleFrames& frames)
 {
-  const TriangleMesh& mesh = topology.mesh;
-  const auto count = static_cast<int>(mesh.triangles.size());
   SeamlessPoisson problem;
-  problem.weights.resize(mesh.triangles.size());
-  problem.target.resize(mesh.triangles.size());
-  ForRanges(count,
+  problem.weights.resize(topology.mesh.triangles.size());
+  problem.target.resize(topology.mesh.triangles.size());
+  ForRanges(topology.TriangleCount(),
     [&](int begin, int end)
     {
       auto near = std::lower_bound(frames.near.begin(), frames.near.end(), begin,
-        [](const TriangleFrames::NearLog& log, int triangle) { return log.triangle < triangle; });
+        [](const NearCone& cone, int triangle) { return cone.triangle < triangle; });
       for (int t = begin; t < end; ++t)
       {
-        const LogSource* log = nullptr;
+        const NearCone* cone = nullptr;
         if (near != frames.near.end() && near->triangle == t)
         {
-          log = &near->log;
+          cone = &*near;
           ++near;
         }
-        const auto& v = mesh.triangles[Index(t)];
-        const std::array<Complex, 3> values =
-          LocalPrimitive({ topology.PointAt(v[0]), topology.PointAt(v[1]), topology.PointAt(v[2]) },
-            std::polar(std::exp(-frames.h[t]), -frames.angle[t]), log);
+        const std::array<Complex, 3> values = LocalPrimitive(
+          topology.ChartOf(t), std::polar(std::exp(-frames.h[t]), -frames.angle[t]), cone);
         for (std::size_t i = 0; i < 3; ++i)
         {
           problem.target[Index(t)].row(static_cast<Eigen::Index>(i)) << values[i].real(),
@@ -109,7 +105,8 @@ Eigen::MatrixX2d SeamlessPoisson::Residual(
   for (std::size_t t = 0; t < this->target.size(); ++t)
   {
     const Eigen::Matrix<double, 3, 2> flux = this->weights[t] *
-      (P1ElementStiffness(map.topology->mesh, t) * this->DeviationIn(map, unknowns, t));
+      (P1ElementStiffness(map.topology->ChartOf(static_cast<int>(t))) *
+        this->DeviationIn(map, unknowns, t));
     for (int i = 0; i < 3; ++i)
     {
       residual.row(map.corners[t][Index(i)]) += flux.row(i);
@@ -125,7 +122,9 @@ double SeamlessPoisson::ObjectiveAt(const SeamlessMap& map, const Eigen::VectorX
   {
     const Eigen::Matrix<double, 3, 2> deviation = this->DeviationIn(map, unknowns, t);
     residual += this->weights[t] *
-      deviation.cwiseProduct(P1ElementStiffness(map.topology->mesh, t) * deviation).sum();
+      deviation
+        .cwiseProduct(P1ElementStiffness(map.topology->ChartOf(static_cast<int>(t))) * deviation)
+        .sum();
   }
   return residual;
 }

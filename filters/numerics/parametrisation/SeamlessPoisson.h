@@ -29,7 +29,7 @@ private:
     const SeamlessMap& map, const Eigen::VectorXd& unknowns, std::size_t triangle) const;
 };
 
-/// Returns the problem whose targets have the gradients of the frames; near a logarithm the target
+/// Returns the problem whose targets have the gradients of the frames; near a cone the target
 /// is the local primitive of its singular part.
 SeamlessPoisson TargetGradients(const MeshTopology& topology, const TriangleFrames& frames);
 

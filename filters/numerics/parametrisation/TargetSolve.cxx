@@ -5,6 +5,7 @@
 #include "Index.h"
 #include "SeamEquations.h"
 #include "TriangleArea.h"
+#include "TriangleSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,30 +19,13 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
 {
   const MeshTopology& topology = *targets.topology;
   std::vector<int> shift(targets.jumps.size(), 0);
-  std::vector<bool> known(targets.jumps.size(), false);
-  std::vector<int> queue = { 0 };
-  known[0] = true;
-  const auto neighbour = [&topology](int t, std::size_t side)
-  {
-    const auto& two = topology.edges.triangles[Index(topology.edges.ofTriangle[Index(t)][side])];
-    return two[0] == t ? two[1] : two[0];
-  };
-  for (std::size_t next = 0; next < queue.size(); ++next)
-  {
-    const int t = queue[next];
-    for (std::size_t side = 0; side < 3; ++side)
-    {
-      const int other = neighbour(t, side);
-      if (other >= 0 && !known[Index(other)] &&
-        !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
-      {
-        known[Index(other)] = true;
-        shift[Index(other)] = shift[Index(t)] + targets.jumps[Index(t)][side];
-        queue.push_back(other);
-      }
-    }
-  }
-  for (int t = 0; t < static_cast<int>(shift.size()); ++t)
+  SearchTriangles(
+    topology.TriangleCount(), 0,
+    [&](int t, int side)
+    { return cut.isCut[Index(topology.EdgeOf(t, side))] ? -1 : topology.Neighbour(t, side); },
+    [&](int t, int side, int next)
+    { shift[Index(next)] = shift[Index(t)] + targets.jumps[Index(t)][Index(side)]; });
+  for (int t = 0; t < topology.TriangleCount(); ++t)
   {
     auto& corners = targets.poisson.target[Index(t)];
     for (int i = 0; i < 3; ++i)
@@ -49,26 +33,19 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
       // θ grows by the shift, so the target e^{−(H + iθ)} turns back by it.
       corners.row(i) = TurnByQuarters(corners.row(i).transpose(), -shift[Index(t)]).transpose();
     }
-    for (std::size_t side = 0; side < 3; ++side)
+    for (int side = 0; side < 3; ++side)
     {
-      int& jump = targets.jumps[Index(t)][side];
-      const int other = neighbour(t, side);
+      int& jump = targets.jumps[Index(t)][Index(side)];
+      const int other = topology.Neighbour(t, side);
       jump += other < 0 ? -shift[Index(t)] : shift[Index(t)] - shift[Index(other)];
-      if (other >= 0 && jump != 0 && !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
+      if (other >= 0 && jump != 0 && !cut.isCut[Index(topology.EdgeOf(t, side))])
       {
         throw CoarseMeshError("The cross field has a singularity near " +
-          Describe(topology.Midpoint(topology.edges.ofTriangle[Index(t)][side])) +
+          topology.Where(topology.mesh.triangles[Index(t)][Index(side)]) +
           " that was not given; use a finer mesh there.");
       }
     }
   }
-}
-
-/// Returns the position of an edge in a triangle.
-int SideOf(const MeshTopology& topology, int triangle, int edge)
-{
-  const auto& sides = topology.edges.ofTriangle[Index(triangle)];
-  return static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
 }
 
 int Modulo4(int quarters)
@@ -90,9 +67,9 @@ void CollectTransitions(
     {
       const int left = TriangleLeftOf(topology, edges[j], vertices[j]);
       const int right = TriangleLeftOf(topology, edges[j], vertices[j + 1]);
-      const auto side = static_cast<std::size_t>(SideOf(topology, left, edges[j]));
+      const std::size_t side = Index(topology.SideOf(left, edges[j]));
       map.seams[Index(left)][side] = code;
-      map.seams[Index(right)][static_cast<std::size_t>(SideOf(topology, right, edges[j]))] = -code;
+      map.seams[Index(right)][Index(topology.SideOf(right, edges[j]))] = -code;
       if (j == 0)
       {
         // θ continued across is the neighbour's plus r π/2, so its w turns by i^r.
@@ -102,19 +79,17 @@ void CollectTransitions(
   }
   for (int position = 0; position < static_cast<int>(topology.mesh.boundary.size()); ++position)
   {
-    const int edge = topology.EdgeOfBoundary(position);
-    const int t = topology.edges.triangles[Index(edge)][0];
-    map.directions.push_back(
-      Modulo4(jumps[Index(t)][static_cast<std::size_t>(SideOf(topology, t, edge))]));
+    const auto [t, side] = topology.SideOfBoundary(position);
+    map.directions.push_back(Modulo4(jumps[Index(t)][Index(side)]));
   }
 }
 
 double MapArea(const SeamlessMap& map)
 {
   double area = 0.0;
-  for (int t = 0; t < static_cast<int>(map.corners.size()); ++t)
+  for (int t = 0; t < map.topology->TriangleCount(); ++t)
   {
-    area += 0.5 * Cross(map.At(t, 1) - map.At(t, 0), map.At(t, 2) - map.At(t, 0));
+    area += TriangleArea(map.At(t, 0), map.At(t, 1), map.At(t, 2));
   }
   return area;
 }
@@ -154,9 +129,9 @@ void StoreScaled(const Eigen::VectorXd& free,
   const Eigen::VectorXd w = prolongation * free;
   StorePoints(w, map);
   double area = 0.0;
-  for (const auto& triangle : map.topology->mesh.triangles)
+  for (int t = 0; t < map.topology->TriangleCount(); ++t)
   {
-    area += TriangleArea(map.topology->mesh, triangle);
+    area += map.topology->AreaOf(t);
   }
   map.residual = std::sqrt(std::max(0.0, poisson.ObjectiveAt(map, w)) / area);
   const double scale = std::sqrt(area / std::abs(MapArea(map)));

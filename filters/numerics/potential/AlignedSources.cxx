@@ -10,7 +10,7 @@ AlignedSources PiecewiseConstantPhase(const PotentialProblem& problem)
 {
   AlignedSources sources;
   sources.atRows = Eigen::VectorXd::Zero(problem.potential->Rows());
-  const MeshTopology& topology = problem.Topology();
+  const PlanarTopology& topology = problem.Topology();
   sources.midpointShift = Eigen::VectorXd::Zero(topology.turning.size());
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
@@ -134,7 +134,7 @@ public:
       this->AlongSide(t,
         [&](int edge, double half, double passed)
         {
-          const MeshTopology& topology = this->Problem.Topology();
+          const PlanarTopology& topology = this->Problem.Topology();
           const auto [from, to] = topology.BoundaryAt(edge).vertices;
           const Point along = (topology.PointAt(to) - topology.PointAt(from)) / (2.0 * half);
           const Point normal(-along.y(), along.x());
@@ -171,7 +171,7 @@ private:
   double Length(std::size_t i) const
   {
     const auto& [from, to] = this->Edge(i).vertices;
-    const MeshTopology& topology = this->Problem.Topology();
+    const PlanarTopology& topology = this->Problem.Topology();
     return (topology.PointAt(to) - topology.PointAt(from)).norm();
   }
   /// Calls f(entry of mesh.boundary, half its length, length passed before it) along the side from
@@ -240,7 +240,7 @@ CurveSources CurvePhase(const PotentialProblem& problem)
   curve.jumps = curve.aligned.atRows;
   const std::vector<SpreadLoop> loops = AlignedLoops(problem);
   const SpreadPhases phases = SpreadTurns(problem, loops);
-  const MeshTopology& topology = problem.Topology();
+  const PlanarTopology& topology = problem.Topology();
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
     const BoundaryEdge& edge = topology.mesh.boundary[i];

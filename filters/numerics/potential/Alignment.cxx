@@ -7,7 +7,7 @@
 namespace crossfield
 {
 Alignment AlignWithBoundary(
-  const MeshTopology& topology, const std::vector<CornerChoice>& corners, int pointQuarters)
+  const PlanarTopology& topology, const std::vector<CornerChoice>& corners, int pointQuarters)
 {
   Alignment alignment;
   alignment.corners = corners;
@@ -33,7 +33,8 @@ Alignment AlignWithBoundary(
   return alignment;
 }
 
-double SetAlignedCrosses(const MeshTopology& topology, const Alignment& alignment, ComplexVector& u)
+double SetAlignedCrosses(
+  const PlanarTopology& topology, const Alignment& alignment, ComplexVector& u)
 {
   double change = 0.0;
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)

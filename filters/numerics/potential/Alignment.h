@@ -23,12 +23,12 @@ struct Alignment
 /// Aligns crosses with the boundary. `pointQuarters` is the sum of the quarter indices of
 /// singularities without holes. Throws Error when a choice is not at a vertex of an aligned loop.
 /// Does not check that the count is consistent.
-Alignment AlignWithBoundary(const MeshTopology& topology,
+Alignment AlignWithBoundary(const PlanarTopology& topology,
   const std::vector<CornerChoice>& corners = {}, int pointQuarters = 0);
 
 /// Copies the prescribed crosses into u, a value per edge, and returns the largest change |Δu|.
 double SetAlignedCrosses(
-  const MeshTopology& topology, const Alignment& alignment, ComplexVector& u);
+  const PlanarTopology& topology, const Alignment& alignment, ComplexVector& u);
 
 /// A boundary condition together with the factored Laplacian of the mesh. Any number of problems
 /// share one factor.
@@ -40,6 +40,6 @@ struct PotentialProblem
   /// Throws Error when the quarter indices violate Poincaré-Hopf.
   PotentialProblem(std::shared_ptr<const PotentialSolver> solver, Alignment boundaryCondition);
 
-  const MeshTopology& Topology() const { return this->potential->GetTopology(); }
+  const PlanarTopology& Topology() const { return this->potential->GetTopology(); }
 };
 }

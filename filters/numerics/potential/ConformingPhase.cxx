@@ -35,7 +35,7 @@ ConformingPhase::ConformingPhase(
 
 void ConformingPhase::ShiftInnerLoops(const Eigen::VectorXd& differences)
 {
-  const MeshTopology& topology = this->Laplacian.GetTopology();
+  const PlanarTopology& topology = this->Laplacian.GetTopology();
   Eigen::Index k = 0;
   for (const BoundaryLoop& loop : topology.loops)
   {
@@ -93,7 +93,7 @@ double ConformingPhase::Jump(int triangle, int vertex) const
 
 void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& growth)
 {
-  const MeshTopology& topology = this->Laplacian.GetTopology();
+  const PlanarTopology& topology = this->Laplacian.GetTopology();
   std::vector<int> along = loop.edges;
   if (loop.kind == BoundaryKind::Inner)
   {
@@ -111,7 +111,7 @@ void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& g
 
 double ConformingPhase::Transport(Eigen::Index k) const
 {
-  const MeshTopology& topology = this->Laplacian.GetTopology();
+  const PlanarTopology& topology = this->Laplacian.GetTopology();
   const LoopStrip& strip = this->Laplacian.GetStrips()[static_cast<std::size_t>(k)];
   std::array<int, 2> side = topology.BoundaryAt(strip.firstBoundaryEdge).vertices;
   double sum = 0.0;

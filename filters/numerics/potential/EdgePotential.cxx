@@ -6,7 +6,7 @@ namespace crossfield
 {
 Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
 {
-  const MeshTopology& topology = this->Potential.GetTopology();
+  const PlanarTopology& topology = this->Potential.GetTopology();
   // 1. The phase, with the constants on inner loops that make its conjugate single-valued.
   Eigen::MatrixXd phases(this->Potential.Rows(), fluxes.cols());
   constexpr Eigen::Index ColumnsOfPart = 16;

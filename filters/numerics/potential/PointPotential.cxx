@@ -35,7 +35,7 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   , Next(Problem.Topology().previous.size())
   , Sources(Curve.aligned.atRows)
 {
-  const MeshTopology& topology = this->Problem.Topology();
+  const PlanarTopology& topology = this->Problem.Topology();
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
     this->Next[static_cast<std::size_t>(topology.previous[i])] = i;
@@ -79,7 +79,7 @@ PointPotential::BoundaryLog PointPotential::BoundaryLogAt(std::size_t boundaryLo
 
 PointPotential::BoundaryLog PointPotential::QuarterAt(std::size_t entry) const
 {
-  const MeshTopology& topology = this->Problem.Topology();
+  const PlanarTopology& topology = this->Problem.Topology();
   const int vertex = topology.mesh.boundary[entry].vertices[0];
   if (topology.corners[static_cast<std::size_t>(vertex)])
   {
@@ -200,7 +200,7 @@ Eigen::VectorXd PointPotential::RemovePeriods(Eigen::VectorXd& solution) const
 
 void PointPotential::FindBoundaryLogs()
 {
-  const MeshTopology& topology = this->Problem.Topology();
+  const PlanarTopology& topology = this->Problem.Topology();
   const auto& chosen = this->Problem.alignment.chosenQuarters;
   std::vector<LogSource> corners;
   std::vector<int> cornerVertices;
@@ -275,7 +275,7 @@ std::vector<double> PointPotential::Turns(const BoundaryLog& source) const
 std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
 {
   const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
-  const MeshTopology& topology = this->Problem.Topology();
+  const PlanarTopology& topology = this->Problem.Topology();
   const auto middle = [&topology](int position)
   { return topology.Midpoint(topology.EdgeOfBoundary(position)); };
   return { middle(strip.firstBoundaryEdge), middle(strip.lastBoundaryEdge) };

@@ -14,7 +14,7 @@ namespace
 DissectedCholesky FactorOperator(
   const PotentialOperator& laplacian, PotentialFactor::Boundary boundary, const Progress& progress)
 {
-  const MeshTopology& topology = laplacian.GetTopology();
+  const PlanarTopology& topology = laplacian.GetTopology();
   const TriangleMesh& mesh = topology.mesh;
   std::vector<int> leftOut = {
     mesh.boundary[static_cast<std::size_t>(topology.FirstOuterEdge())].vertices[0]

@@ -8,7 +8,7 @@
 
 namespace crossfield
 {
-PotentialOperator::PotentialOperator(SharedTopology topology)
+PotentialOperator::PotentialOperator(SharedPlanarTopology topology)
   : Topology(std::move(topology))
   , IslandCount(this->Topology->LoopCount(BoundaryKind::Inner))
   , Strips(FindLoopStrips(this->Topology->mesh, this->Topology->edges, this->Topology->loops, true))
@@ -34,8 +34,7 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
     std::vector<std::pair<int, Eigen::Vector3d>> products;
     for (const LoopStrip::Step& step : strips[k].steps)
     {
-      const Eigen::Vector3d product =
-        P1ElementStiffness(mesh, static_cast<std::size_t>(step.triangle)) *
+      const Eigen::Vector3d product = P1ElementStiffness(this->Topology->ChartOf(step.triangle)) *
         Eigen::Map<const Eigen::Vector3d>(step.left.data());
       products.emplace_back(step.triangle, product);
       for (std::size_t i = 0; i < 3; ++i)

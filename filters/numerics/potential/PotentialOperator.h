@@ -1,7 +1,7 @@
 #pragma once
 
 #include "LoopStrip.h"
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -38,10 +38,10 @@ public:
     IslandsAndHoles ///< Inner loops and holes.
   };
 
-  explicit PotentialOperator(SharedTopology topology);
+  explicit PotentialOperator(SharedPlanarTopology topology);
 
-  const MeshTopology& GetTopology() const { return *this->Topology; }
-  const SharedTopology& ShareTopology() const { return this->Topology; }
+  const PlanarTopology& GetTopology() const { return *this->Topology; }
+  const SharedPlanarTopology& ShareTopology() const { return this->Topology; }
 
   /// Returns the number of rows: vertices of the mesh plus all periods.
   Eigen::Index Rows() const { return this->VertexCount() + this->PeriodCount(); }
@@ -70,7 +70,7 @@ public:
   Eigen::VectorXd Apply(const Eigen::VectorXd& potential) const;
 
 private:
-  SharedTopology Topology;
+  SharedPlanarTopology Topology;
   Eigen::Index IslandCount;
   std::vector<LoopStrip> Strips;
 };

@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-PotentialSolver::PotentialSolver(SharedTopology topology, const Progress& progress)
+PotentialSolver::PotentialSolver(SharedPlanarTopology topology, const Progress& progress)
   : Operator(std::move(topology))
   , Factor(this->Operator, PotentialFactor::Boundary::Natural, progress)
 {

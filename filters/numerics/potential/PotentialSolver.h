@@ -24,7 +24,7 @@ public:
   using Periods = PotentialOperator::Periods;
 
   /// Throws Error when the mesh is not connected or has degenerate triangles.
-  explicit PotentialSolver(SharedTopology topology, const Progress& progress = {});
+  explicit PotentialSolver(SharedPlanarTopology topology, const Progress& progress = {});
   /// Not copyable, because its parts store references to each other.
   PotentialSolver(const PotentialSolver&) = delete;
   PotentialSolver& operator=(const PotentialSolver&) = delete;
@@ -40,8 +40,8 @@ public:
   const DirichletSolver& GetDirichlet() const;
 
   /// The following functions forward to those of the same name of the operator or the factor.
-  const MeshTopology& GetTopology() const { return this->Operator.GetTopology(); }
-  const SharedTopology& ShareTopology() const { return this->Operator.ShareTopology(); }
+  const PlanarTopology& GetTopology() const { return this->Operator.GetTopology(); }
+  const SharedPlanarTopology& ShareTopology() const { return this->Operator.ShareTopology(); }
   Eigen::Index Rows() const { return this->Operator.Rows(); }
   Eigen::Index PeriodCount(Periods periods = Periods::IslandsAndHoles) const
   {

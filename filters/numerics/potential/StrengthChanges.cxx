@@ -30,7 +30,7 @@ StrengthChanges::StrengthChanges(
   : Energy(std::move(energy))
 {
   const PointPotential& potential = this->Energy->GetPotential();
-  const MeshTopology& topology = potential.GetProblem().Topology();
+  const PlanarTopology& topology = potential.GetProblem().Topology();
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
     this->EntryOf[topology.mesh.boundary[i].vertices[0]] = i;

@@ -13,7 +13,7 @@ UnitNormField SolveUnitNorm(const PotentialProblem& problem)
   result.energy = potential.energy;
   result.holonomyDefect = potential.holonomyDefect;
   // The phase follows from the gradient turned by 90°, summed from edge to edge.
-  const MeshTopology& topology = problem.Topology();
+  const PlanarTopology& topology = problem.Topology();
   const int first = topology.FirstOuterEdge();
   const Eigen::RowVectorXd phase = IntegrateConjugate(topology.mesh, topology.edges,
     potential.gradient, topology.EdgeOfBoundary(first),

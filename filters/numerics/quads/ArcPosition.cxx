@@ -28,10 +28,7 @@ ArcPosition FindOnArc(const TArc& arc, double distance)
 CurvePlace FindOnBoundary(
   const SeamlessMap& map, const BoundaryCurves& curves, const ChartPiece& piece, const Point& w)
 {
-  const MeshTopology& topology = *map.topology;
-  const auto& sides = topology.edges.ofTriangle[Index(piece.triangle)];
-  const auto side = static_cast<int>(
-    std::find(sides.begin(), sides.end(), topology.EdgeOfBoundary(piece.position)) - sides.begin());
+  const int side = map.topology->SideOfBoundary(piece.position).second;
   const Point& from = map.At(piece.triangle, side);
   const double length = (map.At(piece.triangle, (side + 1) % 3) - from).norm();
   return curves.Place(piece.position, std::clamp((w - from).norm() / length, 0.0, 1.0));

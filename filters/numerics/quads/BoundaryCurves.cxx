@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-BoundaryCurves::BoundaryCurves(const MeshTopology& topology, const CurvedBoundary& boundary)
+BoundaryCurves::BoundaryCurves(const PlanarTopology& topology, const CurvedBoundary& boundary)
   : Topology(topology)
   , LoopAndEdge(topology.mesh.boundary.size(), { -1, 0 })
 {

@@ -2,7 +2,7 @@
 
 #include "CurvedLoops.h"
 #include "LoopArc.h"
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 
 namespace crossfield
 {
@@ -18,7 +18,7 @@ struct CurvePlace
 class BoundaryCurves
 {
 public:
-  explicit BoundaryCurves(const MeshTopology& topology, const CurvedBoundary& boundary = {});
+  explicit BoundaryCurves(const PlanarTopology& topology, const CurvedBoundary& boundary = {});
 
   /// Returns the position at a fraction of an entry of mesh.boundary.
   CurvePlace Place(int boundaryPosition, double fraction) const;
@@ -35,7 +35,7 @@ public:
   /// Returns the polylines.
   const std::vector<LoopArc>& GetArcs() const { return this->Arcs; }
   double Length(int loop) const { return this->ArcOf(loop).Length(); }
-  /// Returns the positions of corner vertices (MeshTopology::corners).
+  /// Returns the positions of corner vertices (PlanarTopology::corners).
   std::vector<CurvePlace> Corners() const;
   /// Returns the entry of mesh.boundary at a position.
   int PositionAt(const CurvePlace& place) const;
@@ -43,7 +43,7 @@ public:
 private:
   const LoopArc& ArcOf(int loop) const { return this->Arcs[static_cast<std::size_t>(loop)]; }
 
-  const MeshTopology& Topology;
+  const PlanarTopology& Topology;
   std::vector<LoopArc> Arcs; ///< The aligned loops.
   CurvedLoops Curved;
   std::vector<std::vector<int>> Positions; ///< Entries of mesh.boundary, per loop and side.

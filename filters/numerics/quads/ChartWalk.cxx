@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Index.h"
+#include "TriangleArea.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,6 @@ std::array<double, 3> AreasAt(const SeamlessMap& map, int triangle, const Point&
 
 ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& displacement)
 {
-  const EdgeNumbering& edges = map.topology->edges;
   Point target = place.w + TurnByQuarters(displacement, place.rotation);
   int entered = -1;
   // A straight path meets every triangle a few times at most.
@@ -49,10 +49,7 @@ ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& d
         }
       }
     }
-    const int edge = side < 0 ? -1 : edges.ofTriangle[Index(place.triangle)][Index(side)];
-    const int next = side < 0                             ? -1
-      : edges.triangles[Index(edge)][0] == place.triangle ? edges.triangles[Index(edge)][1]
-                                                          : edges.triangles[Index(edge)][0];
+    const int next = side < 0 ? -1 : map.topology->Neighbour(place.triangle, side);
     if (next < 0)
     {
       place.w = target;
@@ -65,41 +62,17 @@ ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& d
       target = across(target);
       place.rotation = (place.rotation + across.rotation) % 4;
     }
+    entered = map.topology->SideOf(next, map.topology->EdgeOf(place.triangle, side));
     place.triangle = next;
-    const auto& sides = edges.ofTriangle[Index(next)];
-    entered = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
   }
   throw Error("A straight path in the seamless map does not end near " +
-    Describe(PlanePoint(map, place)) + "; use a finer mesh.");
-}
-
-Point PlanePoint(const SeamlessMap& map, const ChartPlace& place)
-{
-  // Corner i is opposite to side i + 1.
-  std::array<double, 3> areas = AreasAt(map, place.triangle, place.w);
-  double sum = 0.0;
-  for (double& area : areas)
-  {
-    area = std::max(0.0, area);
-    sum += area;
-  }
-  Point point = Point::Zero();
-  const auto& vertices = map.topology->mesh.triangles[Index(place.triangle)];
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    point += (areas[(i + 1) % 3] / sum) * map.topology->PointAt(vertices[i]);
-  }
-  return point;
+    map.topology->Where(map.topology->mesh.triangles[Index(place.triangle)][0]) +
+    "; use a finer mesh.");
 }
 
 double PlaneScale(const SeamlessMap& map, int triangle)
 {
-  const auto& v = map.topology->mesh.triangles[Index(triangle)];
-  const Point& origin = map.topology->PointAt(v[0]);
-  const double plane =
-    Cross(map.topology->PointAt(v[1]) - origin, map.topology->PointAt(v[2]) - origin);
-  const double flat =
-    Cross(map.At(triangle, 1) - map.At(triangle, 0), map.At(triangle, 2) - map.At(triangle, 0));
-  return std::sqrt(plane / flat);
+  const double flat = TriangleArea(map.At(triangle, 0), map.At(triangle, 1), map.At(triangle, 2));
+  return std::sqrt(map.topology->AreaOf(triangle) / flat);
 }
 }

@@ -18,9 +18,6 @@ struct ChartPlace
 /// last triangle if the path leaves the domain. Throws Error if it does not end.
 ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& displacement);
 
-/// Returns the point of the plane at a position.
-Point PlanePoint(const SeamlessMap& map, const ChartPlace& place);
-
-/// Returns √(area in the plane / area in the map) of a triangle, which is e^H.
+/// Returns √(area in the domain / area in the map) of a triangle, which is e^H.
 double PlaneScale(const SeamlessMap& map, int triangle);
 }

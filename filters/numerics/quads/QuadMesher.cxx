@@ -42,7 +42,7 @@ double AreaOf(const TMesh& tMesh)
 }
 
 /// Returns the domain of a mesh, with the outer loop first.
-PlanarDomain DomainOf(const MeshTopology& topology)
+PlanarDomain DomainOf(const PlanarTopology& topology)
 {
   PlanarDomain domain;
   domain.loops = topology.AlignedLoops();
@@ -62,7 +62,7 @@ public:
     , Options(options)
     , Result(result)
     , Curves(curves)
-    , Domain(DomainOf(*map.topology))
+    , Domain(DomainOf(*RequirePlanar(map.topology)))
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
     , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
@@ -412,7 +412,7 @@ QuadResult MakeQuads(
   }
   QuadResult result;
   result.tMesh = std::move(tMesh);
-  const BoundaryCurves curves(*map.topology, options.curves);
+  const BoundaryCurves curves(*RequirePlanar(map.topology), options.curves);
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
   SplitAtPeriodic(map, curves, options.sides, options.periodic, result.tMesh);
   Mesher mesher(map, curves, options, result);

@@ -17,8 +17,8 @@ std::vector<double> TargetLengths(const TMesh& mesh, const TargetSizes& sizes)
     // enough.
     for (std::size_t i = 1; sizes.sizing != Sizing::Conformal && i < arc.polyline.size(); ++i)
     {
-      const Point& from = arc.polyline[i - 1];
-      const Point& to = arc.polyline[i];
+      const Point from = arc.polyline[i - 1].head<2>();
+      const Point to = arc.polyline[i].head<2>();
       length += (to - from).norm() / sizes.At(0.5 * (from + to));
     }
     lengths.push_back(length);

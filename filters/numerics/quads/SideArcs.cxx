@@ -70,7 +70,7 @@ double SideArcs::LengthOf(const std::vector<int>& arcs) const
   double length = 0.0;
   for (const int arc : arcs)
   {
-    const std::vector<Point>& line = this->Mesh.arcs[Index(arc)].polyline;
+    const std::vector<SpacePoint>& line = this->Mesh.arcs[Index(arc)].polyline;
     for (std::size_t i = 1; i < line.size(); ++i)
     {
       length += (line[i] - line[i - 1]).norm();

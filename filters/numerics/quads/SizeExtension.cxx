@@ -9,7 +9,7 @@
 
 namespace crossfield
 {
-Eigen::VectorXd ExtendSizes(const MeshTopology& topology, const Eigen::VectorXd& sizes)
+Eigen::VectorXd ExtendSizes(const PlanarTopology& topology, const Eigen::VectorXd& sizes)
 {
   std::vector<int> boundary;
   Eigen::VectorXd logarithms = Eigen::VectorXd::Zero(sizes.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 
 #include <Eigen/Core>
 
@@ -9,7 +9,7 @@ namespace crossfield
 /// Returns sizes at all vertices of a mesh from those on its boundary: inside, the logarithm of the
 /// size is the harmonic P1 function, smooth and between the minimum and maximum given
 /// (docs/method.md §14.8). Entries of inner vertices are ignored.
-Eigen::VectorXd ExtendSizes(const MeshTopology& topology, const Eigen::VectorXd& sizes);
+Eigen::VectorXd ExtendSizes(const PlanarTopology& topology, const Eigen::VectorXd& sizes);
 
 /// Returns the uniform size that gives as many quads as the given sizes: √(A / ∫ dA / h²),
 /// integrated at the vertices. Divided by it, sizes have no unit.

@@ -2,26 +2,8 @@
 
 #include "Index.h"
 
-#include <numeric>
-
 namespace crossfield
 {
-UnionFind::UnionFind(std::size_t count)
-  : Parent(count)
-{
-  std::iota(this->Parent.begin(), this->Parent.end(), 0);
-}
-
-int UnionFind::Find(int i)
-{
-  while (this->Parent[Index(i)] != i)
-  {
-    this->Parent[Index(i)] = this->Parent[Index(this->Parent[Index(i)])];
-    i = this->Parent[Index(i)];
-  }
-  return i;
-}
-
 ArcPoints::ArcPoints(const TMesh& mesh, const std::vector<int>& counts)
   : Mesh(mesh)
   , Counts(counts)

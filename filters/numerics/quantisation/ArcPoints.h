@@ -1,21 +1,10 @@
 #pragma once
 
 #include "TMesh.h"
+#include "UnionFind.h"
 
 namespace crossfield
 {
-/// Disjoint sets of numbers.
-class UnionFind
-{
-public:
-  explicit UnionFind(std::size_t count);
-  int Find(int i);
-  void Join(int i, int j) { this->Parent[static_cast<std::size_t>(this->Find(i))] = this->Find(j); }
-
-private:
-  std::vector<int> Parent;
-};
-
 /// Two points that coincide because an arc has no edges, or a patch zero width.
 struct PointLink
 {

@@ -10,7 +10,7 @@ namespace crossfield
 namespace
 {
 /// Returns, for every vertex, whether it is a corner or has a chosen index.
-std::vector<bool> MarkCounted(const MeshTopology& topology, const PoincareHopfCount& count)
+std::vector<bool> MarkCounted(const PlanarTopology& topology, const PoincareHopfCount& count)
 {
   std::vector<bool> counted(topology.mesh.points.size(), false);
   for (const CountedCorner& corner : count.corners)
@@ -23,7 +23,7 @@ std::vector<bool> MarkCounted(const MeshTopology& topology, const PoincareHopfCo
 /// Returns the indices of the field at corners, and elsewhere on aligned loops where they are not
 /// 0.
 std::vector<CornerChoice> IndicesOfField(
-  const MeshTopology& topology, const FieldIndices& indices, const std::vector<bool>& counted)
+  const PlanarTopology& topology, const FieldIndices& indices, const std::vector<bool>& counted)
 {
   std::vector<CornerChoice> taken;
   for (const BoundaryEdge& edge : topology.mesh.boundary)
@@ -102,7 +102,7 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
   {
     throw Error("The field has values that are not finite numbers; compute it again.");
   }
-  const MeshTopology& topology = *field.topology;
+  const PlanarTopology& topology = *field.topology;
   const PoincareHopfCount prescribed = CountMeshQuarters(topology, choices);
   const FieldReading reading = ReadField(field, { prescribed, points, false, byItself });
 

@@ -21,7 +21,7 @@ double WrappedStep(const Complex& from, const Complex& to)
 }
 }
 
-FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
+FieldIndices ReadIndices(const PlanarTopology& topology, const ComplexVector& u)
 {
   const TriangleMesh& mesh = topology.mesh;
   const EdgeNumbering& edges = topology.edges;

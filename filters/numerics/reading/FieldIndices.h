@@ -19,7 +19,7 @@ struct FieldIndices
 };
 
 /// Reads the indices. `u` has one value per edge.
-FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u);
+FieldIndices ReadIndices(const PlanarTopology& topology, const ComplexVector& u);
 
 /// Moves the indices of the triangles at marked vertices to these vertices. Where the cross turns
 /// by more than π/4 within one triangle at a corner, a wrapped difference takes the shorter

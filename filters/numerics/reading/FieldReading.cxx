@@ -40,7 +40,7 @@ int ReadDegrees(const CrossField& field, const FieldRequest& request, FieldReadi
 
 FieldReading ReadField(const CrossField& field, const FieldRequest& request)
 {
-  const MeshTopology& topology = *field.topology;
+  const PlanarTopology& topology = *field.topology;
   FieldReading reading;
   reading.count = request.count;
   const int degrees = ReadDegrees(field, request, reading);

@@ -2,11 +2,11 @@
 
 #include "BoundaryCorners.h"
 #include "Error.h"
+#include "UnionFind.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -26,7 +26,7 @@ struct VertexRole
 };
 
 std::vector<VertexRole> FindRoles(
-  const MeshTopology& topology, const FieldSingularityOptions& options)
+  const PlanarTopology& topology, const FieldSingularityOptions& options)
 {
   std::vector<VertexRole> roles(topology.mesh.points.size());
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
@@ -46,30 +46,6 @@ std::vector<VertexRole> FindRoles(
   }
   return roles;
 }
-
-/// Disjoint sets of vertices (union-find).
-class VertexSets
-{
-public:
-  explicit VertexSets(std::size_t count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  int Find(int vertex)
-  {
-    while (this->At(vertex) != vertex)
-    {
-      vertex = this->At(vertex) = this->At(this->At(vertex));
-    }
-    return vertex;
-  }
-  void Unite(int a, int b) { this->At(this->Find(a)) = this->Find(b); }
-
-private:
-  int& At(int vertex) { return this->Parent[static_cast<std::size_t>(vertex)]; }
-  std::vector<int> Parent;
-};
 
 /// Singular triangles and vertices that are read as one singularity.
 struct Cluster
@@ -158,7 +134,7 @@ Point Centroid(const TriangleMesh& mesh, std::size_t t)
 }
 
 /// Returns the longest edge at each vertex marked in the second argument.
-std::vector<double> LongestEdges(const MeshTopology& topology, const std::vector<char>& marked)
+std::vector<double> LongestEdges(const PlanarTopology& topology, const std::vector<char>& marked)
 {
   std::vector<double> longest(topology.mesh.points.size(), 0.0);
   for (const auto& [from, to] : topology.edges.vertices)
@@ -188,7 +164,7 @@ std::map<int, Cluster> FindClusters(
     const auto v = static_cast<std::size_t>(vertex);
     return indices.ofVertex[v] != 0 && !roles[v].corner;
   };
-  VertexSets sets(mesh.points.size());
+  UnionFind sets(mesh.points.size());
   std::vector<char> marked(mesh.points.size());
   for (std::size_t v = 0; v < marked.size(); ++v)
   {
@@ -202,15 +178,15 @@ std::map<int, Cluster> FindClusters(
       {
         marked[static_cast<std::size_t>(vertex)] = 1;
       }
-      sets.Unite(mesh.triangles[t][0], mesh.triangles[t][1]);
-      sets.Unite(mesh.triangles[t][1], mesh.triangles[t][2]);
+      sets.Join(mesh.triangles[t][0], mesh.triangles[t][1]);
+      sets.Join(mesh.triangles[t][1], mesh.triangles[t][2]);
     }
   }
   for (const auto& [from, to] : edges.vertices)
   {
     if (singular(from) && singular(to))
     {
-      sets.Unite(from, to);
+      sets.Join(from, to);
     }
   }
 
@@ -330,7 +306,7 @@ std::vector<FieldSingularity> FindFieldSingularities(
 std::vector<FieldSingularity> FindFieldSingularities(
   const CrossField& field, const FieldIndices& indices, const FieldSingularityOptions& options)
 {
-  const MeshTopology& topology = *field.topology;
+  const PlanarTopology& topology = *field.topology;
   const TriangleMesh& mesh = topology.mesh;
   FieldIndices merged = indices;
   const std::vector<VertexRole> roles = FindRoles(topology, options);

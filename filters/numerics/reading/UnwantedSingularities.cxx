@@ -16,7 +16,7 @@ struct Found
 
 /// Returns the distance from the centre of an imprinted circle within which singularities belong to
 /// it: its radius plus one edge, which is the accuracy of a singularity's position.
-double ReachOf(const BoundaryLoop& circle, const Point& centre, const MeshTopology& topology)
+double ReachOf(const BoundaryLoop& circle, const Point& centre, const PlanarTopology& topology)
 {
   double reach = 0.0;
   for (const int edge : circle.edges)
@@ -32,7 +32,7 @@ double ReachOf(const BoundaryLoop& circle, const Point& centre, const MeshTopolo
 int CountUnwanted(
   const CrossField& field, const FieldIndices& indices, const WantedSingularities& wanted)
 {
-  const MeshTopology& topology = *field.topology;
+  const PlanarTopology& topology = *field.topology;
   std::vector<Point> centres;
   std::vector<double> reaches;
   for (const BoundaryLoop& circle :

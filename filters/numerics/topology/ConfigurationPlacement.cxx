@@ -8,7 +8,7 @@
 
 namespace crossfield
 {
-PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
+PlacedConfiguration PlaceConfiguration(const PlanarTopology& topology,
   const Configuration& configuration, const std::vector<CornerChoice>& corners)
 {
   PlacedConfiguration placed;

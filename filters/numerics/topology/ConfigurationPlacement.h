@@ -1,7 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 #include "Singularity.h"
 
 namespace crossfield
@@ -18,6 +18,6 @@ struct PlacedConfiguration
 /// Separates singularities at vertices of outer and inner loops, within 1e-6 of the diagonal, from
 /// those inside, and completes the corners; see SolveHField. A singularity at a corner replaces the
 /// choice for it in `corners`; the optimiser creates such singularities.
-PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
+PlacedConfiguration PlaceConfiguration(const PlanarTopology& topology,
   const Configuration& configuration, const std::vector<CornerChoice>& corners);
 }

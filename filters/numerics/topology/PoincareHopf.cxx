@@ -117,7 +117,7 @@ std::vector<CornerChoice> CapCorners(
 }
 
 PoincareHopfCount CountMeshQuarters(
-  const MeshTopology& topology, const std::vector<CornerChoice>& choices)
+  const PlanarTopology& topology, const std::vector<CornerChoice>& choices)
 {
   int given = 0;
   for (const BoundaryLoop& circle : topology.imprinted)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 #include "Singularity.h"
 
 #include <string>
@@ -73,7 +73,7 @@ std::vector<CornerChoice> CapCorners(
 /// Counts over the aligned loops of a mesh, and adds up the quarter indices of its holes and
 /// imprinted circles.
 PoincareHopfCount CountMeshQuarters(
-  const MeshTopology& topology, const std::vector<CornerChoice>& choices = {});
+  const PlanarTopology& topology, const std::vector<CornerChoice>& choices = {});
 
 /// Holonomy defect, in radians, below which the defect may be an artefact of the mesh.
 constexpr double NoticeableDefect = 1e-2;

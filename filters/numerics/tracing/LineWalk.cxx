@@ -52,12 +52,9 @@ LineSegment LineWalk::Start(const Departure& departure) const
 
 LineSegment LineWalk::StartFromSide(int boundaryPosition) const
 {
-  const MeshTopology& topology = *this->Map.topology;
-  const int edge = topology.EdgeOfBoundary(boundaryPosition);
+  const auto [triangle, side] = this->Map.topology->SideOfBoundary(boundaryPosition);
   LineSegment segment;
-  segment.triangle = topology.edges.triangles[Index(edge)][0];
-  const auto& sides = topology.edges.ofTriangle[Index(segment.triangle)];
-  const auto side = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  segment.triangle = triangle;
   segment.direction = (this->Map.directions[Index(boundaryPosition)] + 1) % 4;
   const Point middle =
     0.5 * (this->Map.At(segment.triangle, side) + this->Map.At(segment.triangle, (side + 1) % 3));
@@ -100,20 +97,16 @@ LineSegment LineWalk::StartInside(int triangle, const Point& w, int direction) c
 
 int LineWalk::Beyond(const LineSegment& segment) const
 {
-  const EdgeNumbering& edges = this->Map.topology->edges;
-  const auto& two =
-    edges.triangles[Index(edges.ofTriangle[Index(segment.triangle)][Index(segment.exit.side)])];
-  return two[0] == segment.triangle ? two[1] : two[0];
+  return this->Map.topology->Neighbour(segment.triangle, segment.exit.side);
 }
 
 LineSegment LineWalk::Continue(const LineSegment& segment) const
 {
-  const EdgeNumbering& edges = this->Map.topology->edges;
-  const int edge = edges.ofTriangle[Index(segment.triangle)][Index(segment.exit.side)];
+  const MeshTopology& topology = *this->Map.topology;
   LineSegment next;
   next.triangle = this->Beyond(segment);
-  const auto& sides = edges.ofTriangle[Index(next.triangle)];
-  const auto side = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  const int side =
+    topology.SideOf(next.triangle, topology.EdgeOf(segment.triangle, segment.exit.side));
   next.direction = segment.direction;
   next.level = segment.level;
   next.offset = segment.offset;
@@ -134,30 +127,16 @@ LineSegment LineWalk::Continue(const LineSegment& segment) const
   return next;
 }
 
-Point LineWalk::PlaneAt(int triangle, const OutlinePoint& point) const
+SpacePoint LineWalk::PlaceAt(int triangle, const OutlinePoint& point) const
 {
   const auto& v = this->Map.topology->mesh.triangles[Index(triangle)];
-  const Point& from = this->Map.topology->PointAt(v[Index(point.side)]);
-  const Point& to = this->Map.topology->PointAt(v[Index((point.side + 1) % 3)]);
+  const SpacePoint from = this->Map.topology->PositionOf(v[Index(point.side)]);
+  const SpacePoint to = this->Map.topology->PositionOf(v[Index((point.side + 1) % 3)]);
   return from + point.fraction * (to - from);
 }
 
-Point LineWalk::PlaneAt(const LineSegment& segment, double length) const
+SpacePoint LineWalk::PlaceAt(const LineSegment& segment, double length) const
 {
-  return this->PlaneAt(segment.triangle, segment.At(length));
-}
-
-Point LineWalk::PlaneAt(int triangle, const Point& w) const
-{
-  const Point a = this->Map.At(triangle, 0);
-  const Point b = this->Map.At(triangle, 1) - a;
-  const Point c = this->Map.At(triangle, 2) - a;
-  const double twiceArea = Cross(b, c);
-  const double beta = std::clamp(Cross(w - a, c) / twiceArea, 0.0, 1.0);
-  const double gamma = std::clamp(Cross(b, w - a) / twiceArea, 0.0, 1.0 - beta);
-  const auto& v = this->Map.topology->mesh.triangles[Index(triangle)];
-  const Point& origin = this->Map.topology->PointAt(v[0]);
-  return origin + beta * (this->Map.topology->PointAt(v[1]) - origin) +
-    gamma * (this->Map.topology->PointAt(v[2]) - origin);
+  return this->Map.PlaceOf(segment.triangle, segment.At(length));
 }
 }

@@ -62,11 +62,9 @@ public:
   /// Returns the segment in the triangle beyond.
   LineSegment Continue(const LineSegment& segment) const;
 
-  /// Returns the point of the plane at a length within a segment.
-  Point PlaneAt(const LineSegment& segment, double length) const;
-  Point PlaneAt(int triangle, const OutlinePoint& point) const;
-  /// Returns the point of the plane at which a triangle has coordinates w.
-  Point PlaneAt(int triangle, const Point& w) const;
+  /// Returns the point of the domain at a length within a segment.
+  SpacePoint PlaceAt(const LineSegment& segment, double length) const;
+  SpacePoint PlaceAt(int triangle, const OutlinePoint& point) const;
 
 private:
   /// Return the transverse and longitudinal coordinate of a corner of the segment's triangle.

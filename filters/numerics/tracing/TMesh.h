@@ -17,8 +17,8 @@ struct TNode
   NodeKind kind = NodeKind::Singularity;
   int cone = -1;    ///< Index in SeamlessMap::cones of a singularity or corner; else −1.
   int quarters = 4; ///< Angle around it, on the boundary the interior angle, in quarter turns.
-  Point place = Point::Zero(); ///< Position in the plane.
-  bool isFixed = false;        ///< Quads must have a point exactly here (TMeshSplit.h).
+  SpacePoint place = SpacePoint::Zero(); ///< Position in the domain.
+  bool isFixed = false;                  ///< Quads must have a point exactly here (TMeshSplit.h).
 
   /// Returns whether the node must not coincide with another one of this kind.
   bool IsDistinct() const { return this->cone >= 0 || this->isFixed; }
@@ -50,8 +50,8 @@ struct TArc
   bool onBoundary = false;
   int separatrix = -1; ///< Separatrix of an interior arc; the first of two that met head-on.
   int loop = -1;       ///< Loop in MeshTopology::loops of an arc on the boundary.
-  std::vector<ChartPiece> pieces; ///< Its path in the map, along half-edge 2a; never empty.
-  std::vector<Point> polyline;    ///< Its path in the plane, along half-edge 2a, ends included.
+  std::vector<ChartPiece> pieces;   ///< Its path in the map, along half-edge 2a; never empty.
+  std::vector<SpacePoint> polyline; ///< Its path in the domain, along half-edge 2a, ends included.
 };
 
 /// A rectangle in the map. Side i + 1 follows side i counter-clockwise; sides 0 and 2 are opposite.

@@ -77,21 +77,21 @@ private:
     add(to.node, to.backward);
   }
 
-  const Point& PlaceOf(const TMeshStop& stop) const
+  const SpacePoint& PlaceOf(const TMeshStop& stop) const
   {
     return this->Stops.GetNodes()[Index(stop.node)].place;
   }
 
   /// Returns the points where a separatrix passes from triangle to triangle, strictly between two
   /// lengths.
-  std::vector<Point> Polyline(const TracedSeparatrix& line, double from, double to) const
+  std::vector<SpacePoint> Polyline(const TracedSeparatrix& line, double from, double to) const
   {
-    std::vector<Point> points;
+    std::vector<SpacePoint> points;
     for (const LineSegment& segment : line.segments)
     {
       if (segment.exitLength > from && segment.exitLength < to)
       {
-        points.push_back(this->Walk.PlaneAt(segment.triangle, segment.exit));
+        points.push_back(this->Walk.PlaceAt(segment.triangle, segment.exit));
       }
     }
     return points;
@@ -160,13 +160,13 @@ private:
       arc.length = std::max(0.0, stops[j + 1].at - stops[j].at);
       this->AddArcPieces(line, stops[j].at, stops[j + 1].at, arc.pieces);
       arc.polyline = { this->PlaceOf(stops[j]) };
-      const auto add = [&arc](const std::vector<Point>& points)
+      const auto add = [&arc](const std::vector<SpacePoint>& points)
       { arc.polyline.insert(arc.polyline.end(), points.begin(), points.end()); };
       add(this->Polyline(line, stops[j].at, std::min(stops[j + 1].at, line.length)));
       if (both)
       {
         const TracedSeparatrix& other = this->Lines[Index(line.other)];
-        std::vector<Point> ofOther = this->Polyline(other, line.headOnLength - stops[j + 1].at,
+        std::vector<SpacePoint> ofOther = this->Polyline(other, line.headOnLength - stops[j + 1].at,
           std::min(line.headOnLength - stops[j].at, other.length));
         std::reverse(ofOther.begin(), ofOther.end());
         add(ofOther);
@@ -187,7 +187,7 @@ private:
       for (const int vertex : this->Topology.alignedVertices[Index(loop)])
       {
         const int position = this->Stops.PositionAt(vertex);
-        const auto [triangle, side] = this->Stops.SideOf(position);
+        const auto [triangle, side] = this->Topology.SideOfBoundary(position);
         const Point& start = this->Map.At(triangle, side);
         const Point edge = this->Map.At(triangle, (side + 1) % 3) - start;
         const double length = edge.norm();
@@ -208,13 +208,13 @@ private:
   {
     // The stops around the loop, and its vertices, with their lengths along the loop.
     std::vector<TMeshStop> stops;
-    std::vector<std::pair<double, Point>> vertices;
+    std::vector<std::pair<double, SpacePoint>> vertices;
     double passed = 0.0;
     for (const int vertex : this->Topology.alignedVertices[Index(loop)])
     {
       const int position = this->Stops.PositionAt(vertex);
-      const auto [triangle, side] = this->Stops.SideOf(position);
-      vertices.emplace_back(passed, this->Topology.PointAt(vertex));
+      const auto [triangle, side] = this->Topology.SideOfBoundary(position);
+      vertices.emplace_back(passed, this->Topology.PositionOf(vertex));
       const double length =
         (this->Map.At(triangle, (side + 1) % 3) - this->Map.At(triangle, side)).norm();
       for (TMeshStop stop : this->Stops.OnEdge(position))

@@ -60,10 +60,10 @@ std::vector<int> LinkHalfEdges(TMesh& mesh)
   return angles;
 }
 
-[[noreturn]] void ThrowNoRectangles(const Point& location)
+[[noreturn]] void ThrowNoRectangles(const SpacePoint& location)
 {
   throw CoarseMeshError("The separatrices do not divide the domain into rectangles near " +
-    Describe(location) + "; use a finer mesh.");
+    Describe(Point(location.head<2>())) + "; use a finer mesh.");
 }
 
 /// Follows the links around every patch and collects its sides.
@@ -76,7 +76,7 @@ void CollectPatches(TMesh& mesh)
     {
       continue;
     }
-    const Point& location = mesh.nodes[Index(mesh.halfEdges[Index(first)].node)].place;
+    const SpacePoint& location = mesh.nodes[Index(mesh.halfEdges[Index(first)].node)].place;
     const auto number = static_cast<int>(mesh.patches.size());
     // The half-edges around the patch, then rotated to start after the first right angle.
     std::vector<int> around;
@@ -126,7 +126,7 @@ TMesh MakeTMesh(const SeamlessMap& map, const TraceGraph& graph)
   const int euler = map.topology->edges.EulerCharacteristic(map.topology->mesh);
   if (count(mesh.nodes.size()) - count(mesh.arcs.size()) + count(mesh.patches.size()) != euler)
   {
-    ThrowNoRectangles(mesh.nodes.empty() ? Point::Zero() : mesh.nodes.front().place);
+    ThrowNoRectangles(mesh.nodes.empty() ? SpacePoint::Zero() : mesh.nodes.front().place);
   }
   return mesh;
 }

@@ -27,9 +27,9 @@ public:
   void Split(int position)
   {
     const auto [vertex, next] = this->Topology.BoundaryAt(position).vertices;
-    const Point& place = this->Topology.PointAt(vertex);
+    const SpacePoint place = this->Topology.PositionOf(vertex);
     // far above the rounding of places on separatrices, far below any detail
-    const double rounding = 1e-9 * (this->Topology.PointAt(next) - place).norm();
+    const double rounding = 1e-9 * (this->Topology.PositionOf(next) - place).norm();
     const int arc = this->ArcAt[Index(position)];
     for (const int half : { 2 * arc, 2 * arc + 1 })
     {
@@ -82,7 +82,7 @@ private:
   {
     const auto second = static_cast<int>(this->Mesh.arcs.size());
     const auto node = static_cast<int>(this->Mesh.nodes.size());
-    const Point& place = this->Topology.PointAt(vertex);
+    const SpacePoint place = this->Topology.PositionOf(vertex);
     TNode added;
     added.kind = NodeKind::OnBoundary;
     added.quarters = 2;
@@ -109,7 +109,7 @@ private:
     after.length = lengthOf(after.pieces);
     before.length = lengthOf(before.pieces);
     const auto at = std::min_element(before.polyline.begin(), before.polyline.end(),
-      [&place](const Point& a, const Point& b)
+      [&place](const SpacePoint& a, const SpacePoint& b)
       { return (a - place).squaredNorm() < (b - place).squaredNorm(); });
     after.polyline.assign(at, before.polyline.end());
     after.polyline.front() = place;

@@ -23,7 +23,7 @@ TMeshStops::TMeshStops(const SeamlessMap& map, const TraceGraph& graph)
   , Lines(graph.separatrices)
   , OnLines(graph.separatrices.size())
   , OnBoundary(map.topology->mesh.boundary.size())
-  , Positions(map.topology->mesh.points.size(), -1)
+  , Positions(Index(map.topology->VertexCount()), -1)
 {
   for (std::size_t i = 0; i < this->Topology.mesh.boundary.size(); ++i)
   {
@@ -63,7 +63,7 @@ void TMeshStops::AddCones()
   {
     const Cone& cone = this->Map.cones[i];
     const int node = this->AddNode({ cone.onBoundary ? NodeKind::Corner : NodeKind::Singularity,
-      static_cast<int>(i), cone.Quarters(), this->Topology.PointAt(cone.vertex) });
+      static_cast<int>(i), cone.Quarters(), this->Topology.PositionOf(cone.vertex) });
     if (cone.onBoundary)
     {
       this->OnBoundary[Index(this->PositionAt(cone.vertex))].push_back(
@@ -74,21 +74,12 @@ void TMeshStops::AddCones()
 
 double TMeshStops::AlongEdge(int position, const Point& w) const
 {
-  const auto [triangle, side] = this->SideOf(position);
+  const auto [triangle, side] = this->Topology.SideOfBoundary(position);
   const Point offset = w - this->Map.At(triangle, side);
   return std::max(0.0, TurnByQuarters(offset, -this->Map.directions[Index(position)]).x());
 }
 
-std::pair<int, int> TMeshStops::SideOf(int position) const
-{
-  const int edge = this->Topology.EdgeOfBoundary(position);
-  const int triangle = this->Topology.edges.triangles[Index(edge)][0];
-  const auto& sides = this->Topology.edges.ofTriangle[Index(triangle)];
-  return { triangle,
-    static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin()) };
-}
-
-int TMeshStops::AddBoundaryNode(int position, const Point& w, const Point& place)
+int TMeshStops::AddBoundaryNode(int position, const Point& w, const SpacePoint& place)
 {
   const int node = this->AddNode({ NodeKind::OnBoundary, -1, 2, place });
   this->OnBoundary[Index(position)].push_back({ this->AlongEdge(position, w), node, 0, 2 });
@@ -105,7 +96,7 @@ void TMeshStops::AddStart(std::size_t i)
   {
     const LineSegment& first = line.segments.front();
     start.node = this->AddBoundaryNode(
-      line.startPosition, first.At(0.0), this->Walk.PlaneAt(first.triangle, first.entry));
+      line.startPosition, first.At(0.0), this->Walk.PlaceAt(first.triangle, first.entry));
     start.forward = 1;
   }
   this->OnLines[i].push_back(start);
@@ -120,14 +111,14 @@ void TMeshStops::AddEnd(std::size_t i)
   if (line.end == SeparatrixEnd::Boundary)
   {
     end.node = this->AddBoundaryNode(
-      line.endPosition, last.At(line.length), this->Walk.PlaneAt(last.triangle, last.exit));
+      line.endPosition, last.At(line.length), this->Walk.PlaceAt(last.triangle, last.exit));
     end.backward = 1;
     this->OnLines[i].push_back(end);
   }
   else if (line.end == SeparatrixEnd::Line)
   {
     end.node =
-      this->AddNode({ NodeKind::OnSeparatrix, -1, 4, this->Walk.PlaneAt(last, line.length) });
+      this->AddNode({ NodeKind::OnSeparatrix, -1, 4, this->Walk.PlaceAt(last, line.length) });
     end.backward = (line.endDirection + 2 - line.otherDirection + 4) % 4;
     this->OnLines[i].push_back(end);
     this->OnLines[Index(line.other)].push_back({ line.otherLength, end.node, 0, 2, end.backward });

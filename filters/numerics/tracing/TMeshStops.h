@@ -43,13 +43,11 @@ public:
 
   /// Returns the entry of mesh.boundary that starts at a vertex.
   int PositionAt(int vertex) const { return this->Positions[static_cast<std::size_t>(vertex)]; }
-  /// Returns the triangle and its side at an entry of mesh.boundary.
-  std::pair<int, int> SideOf(int position) const;
 
 private:
   int AddNode(const TNode& node);
   /// Adds a node on an entry of mesh.boundary, at coordinates w of its chart.
-  int AddBoundaryNode(int position, const Point& w, const Point& place);
+  int AddBoundaryNode(int position, const Point& w, const SpacePoint& place);
   /// Returns the length along an entry of mesh.boundary of coordinates w of its chart.
   double AlongEdge(int position, const Point& w) const;
   void AddCones();

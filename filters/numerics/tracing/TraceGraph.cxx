@@ -148,7 +148,7 @@ private:
     const LineSegment& last = line.segments.back();
     if (this->Walk.Beyond(last) < 0)
     {
-      const int edge = this->Topology.edges.ofTriangle[Index(last.triangle)][Index(last.exit.side)];
+      const int edge = this->Topology.EdgeOf(last.triangle, last.exit.side);
       line.end = SeparatrixEnd::Boundary;
       line.length = last.exitLength;
       line.endPosition = this->BoundaryPosition(edge);
@@ -173,8 +173,7 @@ private:
     {
       throw CoarseMeshError("The separatrices of the seamless map wind around a narrow part of the "
                             "domain near " +
-        Describe(
-          this->Topology.PointAt(this->Topology.mesh.triangles[Index(segment.triangle)][0])) +
+        this->Topology.Where(this->Topology.mesh.triangles[Index(segment.triangle)][0]) +
         " too often to be traced; use a finer mesh, or move singularities away from each other and "
         "from the boundary.");
     }
@@ -350,7 +349,7 @@ private:
   int FreeLoop() const
   {
     std::vector<bool> met(this->Topology.mesh.boundary.size(), false);
-    std::vector<bool> corner(this->Topology.mesh.points.size(), false);
+    std::vector<bool> corner(Index(this->Topology.VertexCount()), false);
     for (const Cone& cone : this->Map.cones)
     {
       corner[Index(cone.vertex)] = true;

@@ -43,10 +43,10 @@ public:
   explicit FanWalk(const SeamlessMap& map)
     : Map(map)
     , Topology(*map.topology)
-    , Start(this->Topology.mesh.points.size(), -1)
-    , Boundary(this->Topology.mesh.points.size(), -1)
+    , Start(Index(this->Topology.VertexCount()), -1)
+    , Boundary(Index(this->Topology.VertexCount()), -1)
   {
-    for (int t = 0; t < static_cast<int>(this->Topology.mesh.triangles.size()); ++t)
+    for (int t = 0; t < this->Topology.TriangleCount(); ++t)
     {
       for (const int v : this->Topology.mesh.triangles[Index(t)])
       {
@@ -66,7 +66,7 @@ public:
     if (cone.onBoundary)
     {
       const int position = this->Boundary[Index(cone.vertex)];
-      triangle = this->Topology.edges.triangles[Index(this->Topology.EdgeOfBoundary(position))][0];
+      triangle = this->Topology.SideOfBoundary(position).first;
       here = 2 * this->Map.directions[Index(position)];
     }
     else
@@ -81,12 +81,10 @@ public:
     {
       const int corner = this->CornerOf(triangle, cone.vertex);
       const int side = (corner + 2) % 3; // the spoke that the triangle ends with
-      const int edge = this->Topology.edges.ofTriangle[Index(triangle)][Index(side)];
-      const auto& two = this->Topology.edges.triangles[Index(edge)];
-      const int next = two[0] == triangle ? two[1] : two[0];
+      const int next = this->Topology.Neighbour(triangle, side);
       const int end = next >= 0
         ? Eighths(this->Map.At(triangle, side) - this->Map.At(triangle, corner))
-        : 2 * (this->DirectionOf(edge) + 2);
+        : 2 * (this->DirectionOf(this->Topology.EdgeOf(triangle, side)) + 2);
       const int span = Modulo(end - here, 8);
       for (int eighth = 1; eighth <= span; ++eighth)
       {
@@ -107,7 +105,7 @@ public:
     if (total != 2 * cone.Quarters() || departures.size() != expected)
     {
       throw CoarseMeshError("The triangles of the seamless map around " +
-        Describe(this->Topology.PointAt(cone.vertex)) + " add up to " + std::to_string(total) +
+        this->Topology.Where(cone.vertex) + " add up to " + std::to_string(total) +
         " eighths of a turn instead of " + std::to_string(2 * cone.Quarters()) +
         "; use a finer mesh there.");
     }

@@ -9,7 +9,7 @@
 
 namespace crossfield
 {
-RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const MeshTopology& topology)
+RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTopology& topology)
 {
   const TriangleMesh& mesh = topology.mesh;
   Eigen::VectorXd lengths(static_cast<Eigen::Index>(mesh.points.size()));

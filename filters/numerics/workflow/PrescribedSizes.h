@@ -1,7 +1,7 @@
 #pragma once
 
-#include "MeshTopology.h"
 #include "PlanarDomain.h"
+#include "PlanarTopology.h"
 #include "TargetSize.h"
 
 namespace crossfield
@@ -24,7 +24,7 @@ struct RelativeSizes
 
 /// Samples prescribed sizes at the vertices of a mesh, continues them inside if they are known on
 /// the boundary only, and divides them by their mean (docs/method.md §14.8).
-RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const MeshTopology& topology);
+RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTopology& topology);
 
 /// Does the same on a mesh of the domain without singularities. `meshSize` is the edge length of
 /// its triangles, 0 for the default.

@@ -170,7 +170,7 @@ public:
       {
         // A second attempt shares the part of the progress that the first one leaves.
         const Progress part = refinement == 1.0 ? progress.Part(0.0, 0.9) : progress.Part(0.9, 1.0);
-        const SharedTopology topology = this->Mesh(refinement, part.Part(0.0, 0.2));
+        const SharedPlanarTopology topology = this->Mesh(refinement, part.Part(0.0, 0.2));
         SeamlessMap map = this->Map(topology, part.Part(0.2, 0.8));
         TMesh separatrices = this->Trace(map, part.Part(0.8, 1.0));
         return ClosingLayout{ this->Result.singularities, std::move(map), std::move(separatrices) };
@@ -183,7 +183,7 @@ public:
   {
     const bool coarse = this->Request.merge == BlockMerge::Coarse;
     const bool clean = coarse || this->Request.merge == BlockMerge::Clean;
-    QuadOptions options = this->OptionsFor(*layout.map.topology);
+    QuadOptions options = this->OptionsFor(*RequirePlanar(layout.map.topology));
     MeshedLayout meshed{ std::move(layout), {} };
     const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
     meshed.quads =
@@ -235,7 +235,7 @@ public:
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
-  QuadOptions OptionsFor(const MeshTopology& topology) const
+  QuadOptions OptionsFor(const PlanarTopology& topology) const
   {
     QuadOptions options;
     options.quadSize = this->Request.quadSize;
@@ -331,9 +331,10 @@ private:
     this->Result.holonomyDefect = map.holonomyDefect;
     this->Result.flattening = map.flattening;
     this->Result.corners.clear();
+    const SharedPlanarTopology topology = RequirePlanar(map.topology);
     const PlacedConfiguration placed =
-      PlaceForMap(*map.topology, this->Result.singularities, this->MapOptions);
-    for (const CountedCorner& corner : CountMeshQuarters(*map.topology, placed.corners).corners)
+      PlaceForMap(*topology, this->Result.singularities, this->MapOptions);
+    for (const CountedCorner& corner : CountMeshQuarters(*topology, placed.corners).corners)
     {
       this->Result.corners.push_back({ corner.position, corner.quarterIndex });
     }
@@ -417,15 +418,15 @@ private:
       : std::sqrt(this->Domain.Area() / this->Request.quadCount);
   }
 
-  SharedTopology Mesh(double refinement, const Progress& progress)
+  SharedPlanarTopology Mesh(double refinement, const Progress& progress)
   {
-    SharedTopology topology = ShareTopology(MeshThroughPoints(
+    SharedPlanarTopology topology = ShareTopology(MeshThroughPoints(
       this->Domain, this->Result.singularities, this->Request.meshSize, progress, refinement));
     this->Result.seconds.mesh += this->Clock.Lap();
     return topology;
   }
 
-  SeamlessMap Map(const SharedTopology& topology, const Progress& progress)
+  SeamlessMap Map(const SharedPlanarTopology& topology, const Progress& progress)
   {
     const PlacedConfiguration placed =
       PlaceForMap(*topology, this->Result.singularities, this->MapOptions);

@@ -190,7 +190,7 @@ private:
 
   const QuadRequest& Request;
   const std::vector<SizedSide> Sides;
-  const SharedTopology Topology;
+  const SharedPlanarTopology Topology;
   const Eigen::VectorXd Base;
   std::vector<std::vector<std::array<double, 2>>>
     Distances; ///< Per entry of mesh.boundary and side: its size and distance.

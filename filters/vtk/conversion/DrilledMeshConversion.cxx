@@ -147,7 +147,7 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 
 //------------------------------------------------------------------------------
 DrilledMesh NumberCells(
-  const crossfield::SharedTopology& topology, const crossfield::DomainPlane& plane)
+  const crossfield::SharedPlanarTopology& topology, const crossfield::DomainPlane& plane)
 {
   const crossfield::TriangleMesh& mesh = topology->mesh;
   const auto count = [](std::size_t size, vtkIdType first)

@@ -2,7 +2,7 @@
 #define DrilledMeshConversion_h
 
 #include "DomainPlane.h"
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 
 #include "vtkType.h"
 
@@ -26,7 +26,7 @@ vtkUnstructuredGrid* AsDrilledMesh(vtkDataSet* input);
 /** Drilled mesh, its plane, and the points and cells of its vertices, triangles and edges. */
 struct DrilledMesh
 {
-  crossfield::SharedTopology topology;
+  crossfield::SharedPlanarTopology topology;
   crossfield::DomainPlane plane;
   std::vector<vtkIdType> pointIds; ///< Without points that no cell uses.
   std::vector<vtkIdType> triangleCells;
@@ -36,13 +36,13 @@ struct DrilledMesh
 
 /**
  * Reads a drilled mesh. Throws crossfield::Error also if the cells do not form a mesh; see
- * MeshTopology.h.
+ * PlanarTopology.h.
  */
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input);
 
 /** Returns the points and cells of a mesh in the order of WriteDrilledMesh. */
 DrilledMesh NumberCells(
-  const crossfield::SharedTopology& topology, const crossfield::DomainPlane& plane);
+  const crossfield::SharedPlanarTopology& topology, const crossfield::DomainPlane& plane);
 
 /** Writes triangles, then lines, in the given plane, with the cell arrays of vtkDrillHoles. */
 void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::DomainPlane& plane,

@@ -75,7 +75,7 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   for (vtkIdType p = 0; p < pointCount; ++p)
   {
     const int vertex = map.original[static_cast<std::size_t>(p)];
-    points->SetPoint(p, written.plane.ToSpace(map.topology->PointAt(vertex)).data());
+    points->SetPoint(p, written.plane.ToSpace(map.topology->PositionOf(vertex).head<2>()).data());
     const Point& w = map.points[static_cast<std::size_t>(p)];
     uv->SetTuple2(p, w.x(), w.y());
     vertices->SetValue(p, vertex);
@@ -102,8 +102,7 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   }
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
-    const int edge = map.topology->edges.ofBoundary[i];
-    const int t = map.topology->edges.triangles[Index(edge)][0];
+    const int t = map.topology->SideOfBoundary(static_cast<int>(i)).first;
     const auto& v = mesh.triangles[Index(t)];
     const auto copy = [&](int vertex)
     {

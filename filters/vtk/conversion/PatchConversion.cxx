@@ -36,7 +36,6 @@ class ArcOutlines
 public:
   ArcOutlines(const crossfield::SeamlessMap& map, const crossfield::TMesh& mesh)
     : Mesh(mesh)
-    , Walk(map)
   {
     for (const crossfield::TArc& arc : mesh.arcs)
     {
@@ -47,7 +46,7 @@ public:
         if (length > 0.0 && length < arc.length)
         {
           this->Interior.back().emplace_back(
-            length, this->Walk.PlaneAt(piece.triangle, piece.from));
+            length, map.PlaceOf(piece.triangle, piece.from).head<2>());
         }
         length += (piece.to - piece.from).norm();
       }
@@ -76,7 +75,7 @@ public:
         };
         const crossfield::TNode& node =
           this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(half)].node)];
-        add(0.0, node.place, static_cast<int>(node.kind) + 1);
+        add(0.0, node.place.head<2>(), static_cast<int>(node.kind) + 1);
         const auto& interior = this->Interior[Index(half / 2)];
         for (std::size_t i = 0; i < interior.size(); ++i)
         {
@@ -91,7 +90,6 @@ public:
 
 private:
   const crossfield::TMesh& Mesh;
-  const crossfield::LineWalk Walk;
   std::vector<std::vector<std::pair<double, Point>>> Interior;
 };
 }

@@ -259,9 +259,9 @@ void WriteSeparatrices(
   for (const crossfield::TArc& arc : result.tMesh.arcs)
   {
     lines->InsertNextCell(static_cast<int>(arc.polyline.size()));
-    for (const crossfield::Point& point : arc.polyline)
+    for (const crossfield::SpacePoint& point : arc.polyline)
     {
-      lines->InsertCellPoint(points->InsertNextPoint(plane.ToSpace(point).data()));
+      lines->InsertCellPoint(points->InsertNextPoint(plane.ToSpace(point.head<2>()).data()));
     }
   }
   output->SetPoints(points);

@@ -19,6 +19,7 @@ namespace
 {
 using crossfield::Index;
 using crossfield::Point;
+using crossfield::SpacePoint;
 
 /** Cell data of a line. */
 struct LineRow
@@ -42,13 +43,13 @@ public:
     this->Points->SetDataTypeToDouble();
   }
 
-  void Add(const std::vector<Point>& polyline, const LineRow& row)
+  void Add(const std::vector<SpacePoint>& polyline, const LineRow& row)
   {
     this->Lines->InsertNextCell(static_cast<int>(polyline.size()));
-    for (const Point& point : polyline)
+    for (const SpacePoint& point : polyline)
     {
       this->Lines->InsertCellPoint(
-        this->Points->InsertNextPoint(this->Plane.ToSpace(point).data()));
+        this->Points->InsertNextPoint(this->Plane.ToSpace(point.head<2>()).data()));
     }
     this->Rows.push_back(row);
   }
@@ -86,13 +87,13 @@ private:
  */
 int Locate(const crossfield::SeamlessMap& map, const Point& place, Point& w)
 {
-  const auto& triangles = map.topology->mesh.triangles;
+  const crossfield::SharedPlanarTopology topology = crossfield::RequirePlanar(map.topology);
+  const auto& triangles = topology->mesh.triangles;
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
   {
-    const auto& v = triangles[Index(t)];
-    const Point& a = map.topology->PointAt(v[0]);
-    const Point b = map.topology->PointAt(v[1]) - a;
-    const Point c = map.topology->PointAt(v[2]) - a;
+    const Point& a = topology->PointAt(triangles[Index(t)][0]);
+    const Point b = topology->PointAt(triangles[Index(t)][1]) - a;
+    const Point c = topology->PointAt(triangles[Index(t)][2]) - a;
     const double area = crossfield::Cross(b, c);
     const double beta = crossfield::Cross(place - a, c) / area;
     const double gamma = crossfield::Cross(b, place - a) / area;
@@ -122,13 +123,13 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
   {
     const crossfield::TracedSeparatrix& line = graph.separatrices[i];
     const crossfield::LineSegment& first = line.segments.front();
-    std::vector<Point> polyline = { walk.PlaneAt(first.triangle, first.entry) };
+    std::vector<SpacePoint> polyline = { walk.PlaceAt(first.triangle, first.entry) };
     for (int s = 0; s < line.lastSegment; ++s)
     {
       const crossfield::LineSegment& segment = line.segments[Index(s)];
-      polyline.push_back(walk.PlaneAt(segment.triangle, segment.exit));
+      polyline.push_back(walk.PlaceAt(segment.triangle, segment.exit));
     }
-    polyline.push_back(walk.PlaneAt(line.segments[Index(line.lastSegment)], line.length));
+    polyline.push_back(walk.PlaceAt(line.segments[Index(line.lastSegment)], line.length));
     LineRow row;
     row.line = static_cast<int>(i);
     if (line.cone >= 0)
@@ -152,12 +153,12 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
     for (int direction = 0; direction < 4; ++direction)
     {
       const auto segments = crossfield::TraceStreamline(map, triangle, w, direction, longest);
-      std::vector<Point> polyline = { seeds[seed] };
+      std::vector<SpacePoint> polyline = { { seeds[seed].x(), seeds[seed].y(), 0.0 } };
       for (const crossfield::LineSegment& segment : segments)
       {
         polyline.push_back(segment.exitLength <= longest
-            ? walk.PlaneAt(segment.triangle, segment.exit)
-            : walk.PlaneAt(segment, longest));
+            ? walk.PlaceAt(segment.triangle, segment.exit)
+            : walk.PlaceAt(segment, longest));
       }
       LineRow row;
       row.seed = static_cast<int>(seed);

@@ -50,7 +50,7 @@ Configuration At(const std::vector<Point>& points)
 TEST(FactoredDomain, InsertsVertices)
 {
   const FactoredDomain ring(Builtin("ring", 0.08), {}, 0.08);
-  const MeshTopology& base = ring.GetPotential()->GetTopology();
+  const PlanarTopology& base = ring.GetPotential()->GetTopology();
   Random random(41);
   for (int i = 0; i < 300; ++i)
   {
@@ -68,7 +68,7 @@ TEST(FactoredDomain, InsertsVertices)
       }
     }
     const TriangleMesh mesh = ring.MeshOn(At(points));
-    const MeshTopology topology(mesh); // throws if the mesh is invalid
+    const PlanarTopology topology(mesh); // throws if the mesh is invalid
     EXPECT_EQ(topology.edges.EulerCharacteristic(mesh), 0);
     EXPECT_NEAR(Area(mesh), Area(base.mesh), 1e-12);
     EXPECT_EQ(topology.loops.size(), 2u);
@@ -91,7 +91,7 @@ TEST(FactoredDomain, InsertsVertices)
 TEST(FactoredDomain, KeepsVertexCountForExistingVertices)
 {
   const FactoredDomain disk(Builtin("disk", 0.1), {}, 0.1);
-  const MeshTopology& base = disk.GetPotential()->GetTopology();
+  const PlanarTopology& base = disk.GetPotential()->GetTopology();
   int tried = 0;
   for (const Point& vertex : base.mesh.points)
   {

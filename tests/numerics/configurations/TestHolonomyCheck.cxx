@@ -127,7 +127,7 @@ TEST(HolonomyCheck, EqualsFieldAndConvergesAtSecondOrder)
       const PlanarDomain domain = ring.image.Domain(sizes[i]);
       const auto defects = [&](double meshSize)
       {
-        const SharedTopology topology =
+        const SharedPlanarTopology topology =
           ShareTopology(MeshForPoints(domain, ring.configuration, meshSize));
         return SolveHField(topology, ring.configuration).field.holonomyDefect;
       };
@@ -169,7 +169,7 @@ TEST(HolonomyCheck, EqualsFieldWithSeveralLoops)
     { { -0.6, 0.4 }, 1, 0.0 }, { { 0.2, -0.7 }, 1, 0.0 } };
   for (const Configuration& configuration : { inside, atCorner })
   {
-    const SharedTopology topology = ShareTopology(MeshForPoints(domain, configuration));
+    const SharedPlanarTopology topology = ShareTopology(MeshForPoints(domain, configuration));
     const HField field = SolveHField(topology, configuration);
     ASSERT_EQ(field.field.holonomyDefect.size(), 2u);
     EXPECT_EQ(HolonomyDefects(domain, configuration), field.field.holonomyDefect);

@@ -280,7 +280,7 @@ TEST(GinzburgLandau, EpsilonIgnoresAFineBoundary)
   // Nearly all edges are along the circle: the mean of their lengths is 0.01.
   DrillOptions options;
   options.meshSize = 0.1;
-  const SharedTopology topology =
+  const SharedPlanarTopology topology =
     ShareTopology(DrillHoles({ { RegularPolygon(2000) } }, {}, options));
   const double epsilon = ResolveEpsilon({}, *topology);
   EXPECT_GT(epsilon, 0.06);

@@ -33,7 +33,7 @@ public:
 
   GinzburgLandauEnergy Energy(const GinzburgLandauPinning& pinning = {}) const
   {
-    return GinzburgLandauEnergy(MeshTopology(this->Mesh), Epsilon, pinning);
+    return GinzburgLandauEnergy(PlanarTopology(this->Mesh), Epsilon, pinning);
   }
 
   ComplexVector RandomField(const GinzburgLandauEnergy& energy)
@@ -186,7 +186,7 @@ TEST_F(GinzburgLandauEnergyTest, PenaltyOfASmoothFieldConvergesWithTheSecondOrde
     }
     sizes.push_back(size);
     errors.push_back(
-      std::abs(GinzburgLandauEnergy(MeshTopology(mesh), Epsilon).PenaltyPart(u) - exact));
+      std::abs(GinzburgLandauEnergy(PlanarTopology(mesh), Epsilon).PenaltyPart(u) - exact));
   }
   EXPECT_GT(ConvergenceRate(sizes, errors), 1.8);
 }
@@ -222,7 +222,7 @@ TEST_F(GinzburgLandauEnergyTest, IsInvariantUnderScalingWithEpsilon)
   Similarity scaling;
   scaling.scale = 1e4;
   const TriangleMesh large = scaling(this->Mesh);
-  const GinzburgLandauEnergy scaled(MeshTopology(large), Epsilon * scaling.scale);
+  const GinzburgLandauEnergy scaled(PlanarTopology(large), Epsilon * scaling.scale);
   EXPECT_NEAR(scaled.Value(u), energy.Value(u), 1e-9 * energy.Value(u));
   EXPECT_LT((scaled.Gradient(u) - energy.Gradient(u)).norm(), 1e-9 * energy.Gradient(u).norm());
 }
@@ -231,8 +231,8 @@ TEST_F(GinzburgLandauEnergyTest, RejectsInvalidOptions)
 {
   for (const double epsilon : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
-    EXPECT_TRUE(Refuses(
-      [&] { GinzburgLandauEnergy(MeshTopology(this->Mesh), epsilon); }, { "epsilon", "positive" }));
+    EXPECT_TRUE(Refuses([&] { GinzburgLandauEnergy(PlanarTopology(this->Mesh), epsilon); },
+      { "epsilon", "positive" }));
   }
   const auto triangles = static_cast<Eigen::Index>(this->Mesh.triangles.size());
   GinzburgLandauPinning pinning;

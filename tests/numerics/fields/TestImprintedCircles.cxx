@@ -77,7 +77,7 @@ TEST(ImprintedCircles, AreEdgesOfAMeshOfTheWholeDomain)
       }
       EXPECT_NEAR(turned, -2.0 * Pi, 1e-9);
     }
-    EXPECT_EQ(CountMeshQuarters(MeshTopology(mesh)).givenInteriorQuarters, quarters);
+    EXPECT_EQ(CountMeshQuarters(PlanarTopology(mesh)).givenInteriorQuarters, quarters);
     EXPECT_TRUE(Identical(mesh, DrillHoles(domain, circles, Options(DrillMode::Imprint, 0.1))));
   }
 }

@@ -73,7 +73,7 @@ TEST(DirectReduction, AgreesWithTheReductionToVertices)
   holes.erase(std::remove_if(holes.begin(), holes.end(),
                 [](const BoundaryLoop& loop) { return loop.kind != BoundaryKind::Hole; }),
     holes.end());
-  const DirectReduction reduction(MeshTopology(mesh), holes);
+  const DirectReduction reduction(PlanarTopology(mesh), holes);
   const MinimiserResult solution = SolveReduced(HoleBases(reduction.GetReducedProblem()));
   ASSERT_TRUE(solution.converged);
   const ComplexVector u = reduction.Recover(solution.x).u;

@@ -68,7 +68,7 @@ TEST(LayoutDesign, LiveMeshSizeLimitsTriangles)
 TEST(LayoutDesign, ReusesMeshAndFactors)
 {
   const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
-  const MeshTopology& base = factored.GetPotential()->GetTopology();
+  const PlanarTopology& base = factored.GetPotential()->GetTopology();
   DesignLayout(
     // The first energy also factors the Laplacian of the inner vertices.
     factored, Four(0.45, 0.3));
@@ -90,7 +90,7 @@ TEST(LayoutDesign, MeshesAgainIfSingularitiesAreClose)
   const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
   Configuration configuration = Four(0.5, 0.3);
   configuration[1].position = configuration[0].position + Point(0.03, 0.01);
-  const MeshTopology& base = factored.GetPotential()->GetTopology();
+  const PlanarTopology& base = factored.GetPotential()->GetTopology();
   EXPECT_GT(factored.MeshOn(configuration).points.size(), base.mesh.points.size() + 10);
   EXPECT_NO_THROW(DesignLayout(factored, configuration));
 }

@@ -11,7 +11,7 @@ namespace
 /// Returns a field of random directions, with indices of all kinds.
 CrossField RandomField(const char* domain, std::uint32_t seed)
 {
-  const SharedTopology topology = ShareTopology(DrillMesh(Builtin(domain, 0.15), {}, 0.15));
+  const SharedPlanarTopology topology = ShareTopology(DrillMesh(Builtin(domain, 0.15), {}, 0.15));
   Random random(seed);
   CrossField field{ topology, ComplexVector(topology->edges.Count()) };
   for (Complex& value : field.u)

@@ -1,4 +1,4 @@
-#include "MeshTopology.h"
+#include "PlanarTopology.h"
 #include "Support.h"
 
 #include <numeric>
@@ -7,11 +7,11 @@ namespace crossfield::test
 {
 namespace
 {
-TEST(MeshTopology, TheBoundaryTurnsOnceAroundEveryLoop)
+TEST(PlanarTopology, TheBoundaryTurnsOnceAroundEveryLoop)
 {
   // With the domain on the left, the turning adds up to 2π along the outer loop and −2π along the
   // others; each vertex of a loop is visited once.
-  const SharedTopology topology = ShareTopology(DrillMesh(
+  const SharedPlanarTopology topology = ShareTopology(DrillMesh(
     Builtin("ring", 0.1), { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }, 0.1));
   ASSERT_EQ(topology->loops.size(), 4u);
   EXPECT_EQ(topology->LoopCount(BoundaryKind::Inner), 1);
@@ -30,10 +30,10 @@ TEST(MeshTopology, TheBoundaryTurnsOnceAroundEveryLoop)
   }
 }
 
-TEST(MeshTopology, AlignedLoopsAreThePolygonsOfTheDomain)
+TEST(PlanarTopology, AlignedLoopsAreThePolygonsOfTheDomain)
 {
   const PlanarDomain domain = Builtin("l-shape");
-  const SharedTopology topology =
+  const SharedPlanarTopology topology =
     ShareTopology(DrillMesh(domain, { { { 0.2, 0.3 }, 1, 0.05 } }, 0.1));
   const std::vector<Loop> loops = topology->AlignedLoops();
   ASSERT_EQ(loops.size(), 1u);
@@ -53,14 +53,15 @@ TEST(MeshTopology, AlignedLoopsAreThePolygonsOfTheDomain)
   }
 }
 
-TEST(MeshTopology, RefusesAMeshWithoutAnOuterLoop)
+TEST(PlanarTopology, RefusesAMeshWithoutAnOuterLoop)
 {
   TriangleMesh mesh = DrillMesh(Builtin("square"), {}, 0.3);
   for (BoundaryEdge& edge : mesh.boundary)
   {
     edge.kind = BoundaryKind::Inner;
   }
-  EXPECT_TRUE(Refuses([&] { MeshTopology(mesh).FirstOuterEdge(); }, { "no outer boundary loop" }));
+  EXPECT_TRUE(
+    Refuses([&] { PlanarTopology(mesh).FirstOuterEdge(); }, { "no outer boundary loop" }));
 }
 }
 }

@@ -40,7 +40,7 @@ bool IsConvex(const ConeMetric& metric, ConeMetric::Side side)
 }
 }
 
-SharedTopology SquareFrame(double turn, double meshSize)
+SharedPlanarTopology SquareFrame(double turn, double meshSize)
 {
   const Loop square = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } };
   const PlanarDomain domain =
@@ -48,7 +48,7 @@ SharedTopology SquareFrame(double turn, double meshSize)
   return ShareTopology(MeshForPoints(domain, {}, meshSize));
 }
 
-ConeMetric PlaneMetric(const MeshTopology& topology)
+ConeMetric PlaneMetric(const PlanarTopology& topology)
 {
   std::vector<std::array<int, 3>> jumps(topology.mesh.triangles.size(), { 0, 0, 0 });
   std::vector<Cone> cones;

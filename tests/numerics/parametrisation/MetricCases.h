@@ -10,11 +10,11 @@ class Random;
 
 /// Returns a mesh of the square [−1, 1]² without a square hole of half that size, turned by `turn`
 /// radians.
-SharedTopology SquareFrame(double turn, double meshSize);
+SharedPlanarTopology SquareFrame(double turn, double meshSize);
 
 /// Returns the metric of the plane, with the charts of the plane: all jumps between triangles are 0,
 /// and directions of boundary edges are the nearest quarter turns.
-ConeMetric PlaneMetric(const MeshTopology& topology);
+ConeMetric PlaneMetric(const PlanarTopology& topology);
 
 /// Changes the logarithms of all lengths at random, by up to `size`.
 void Perturb(Random& random, double size, ConeMetric& metric);

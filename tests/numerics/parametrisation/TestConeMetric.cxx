@@ -6,10 +6,10 @@
 #include "MeshForPoints.h"
 #include "MetricCases.h"
 #include "MetricDerivatives.h"
+#include "PhaseSteps.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
 #include "TriangleArea.h"
-#include "TriangleFrames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,12 +99,14 @@ std::vector<int> JumpsAround(const ConeMetric& metric)
 }
 
 /// Returns a ring of a cross field with cones +1 and −1, whose jumps are not all 0.
-ConeMetric RingMetric(const SharedTopology& topology, const Configuration& configuration)
+ConeMetric RingMetric(const SharedPlanarTopology& topology, const Configuration& configuration)
 {
   const SeamlessMap map = SolveSeamlessMap(topology, configuration);
   const PlacedConfiguration placed = PlaceForMap(*topology, configuration, {});
   const PointPotential potential = PointPotentialOn(topology->mesh, {}, 0);
-  return { *topology, FrameTriangles(potential, potential.Solve(placed.interior)).jump, map.cones };
+  return { *topology,
+    FrameTriangles(*topology, StepsOf(potential, potential.Solve(placed.interior))).jump,
+    map.cones };
 }
 
 Configuration PairsOfRing()
@@ -133,7 +135,7 @@ TEST(ConeMetric, FlipsAndSplitsKeepTheMetricOfThePlane)
   Random random(41);
   for (const bool frame : { false, true })
   {
-    const SharedTopology topology =
+    const SharedPlanarTopology topology =
       frame ? SquareFrame(0.3, 0.2) : ShareTopology(MeshForPoints(Builtin("disk", 0.2), {}, 0.2));
     ConeMetric metric = PlaneMetric(*topology);
     const std::size_t before = metric.Triangles().size();
@@ -165,7 +167,7 @@ TEST(ConeMetric, FlipsAndSplitsKeepTheMetricOfThePlane)
 TEST(ConeMetric, FlipsAndSplitsKeepConesAndCrosses)
 {
   const Configuration configuration = PairsOfRing();
-  const SharedTopology topology =
+  const SharedPlanarTopology topology =
     ShareTopology(MeshThroughPoints(Builtin("ring", 0.1), configuration, 0.1));
   ConeMetric metric = RingMetric(topology, configuration);
   Random random(42);
@@ -208,7 +210,7 @@ TEST(ConeMetric, FlipsAndSplitsKeepConesAndCrosses)
 TEST(ConeMetric, FlippingTwiceIsTheIdentity)
 {
   const Configuration configuration = PairsOfRing();
-  const SharedTopology topology =
+  const SharedPlanarTopology topology =
     ShareTopology(MeshThroughPoints(Builtin("ring", 0.1), configuration, 0.1));
   ConeMetric metric = RingMetric(topology, configuration);
   const auto cornersOf = [&metric](int t)
@@ -247,7 +249,7 @@ TEST(ConeMetric, FlippingTwiceIsTheIdentity)
 
 TEST(ConeMetric, SplitsDivideLengthsAndBoundaryEdges)
 {
-  const SharedTopology topology = SquareFrame(0.0, 0.5);
+  const SharedPlanarTopology topology = SquareFrame(0.0, 0.5);
   for (const double fraction : { 0.2, 0.5, 0.7 })
   {
     ConeMetric metric = PlaneMetric(*topology);
@@ -280,7 +282,7 @@ TEST(ConeMetric, SplitsDivideLengthsAndBoundaryEdges)
 
 TEST(ConeMetric, RefusesCrossesThatDoNotClose)
 {
-  const SharedTopology topology = SquareFrame(0.0, 0.5);
+  const SharedPlanarTopology topology = SquareFrame(0.0, 0.5);
   const std::vector<std::array<int, 3>> jumps(topology->mesh.triangles.size(), { 0, 0, 0 });
   const Cone corner = { topology->mesh.boundary[0].vertices[0], 1, true, -1 };
   EXPECT_TRUE(

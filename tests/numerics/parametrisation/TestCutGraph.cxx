@@ -15,7 +15,7 @@ TEST(CutGraph, LeavesADiskWithSingularitiesOnItsBoundary)
   {
     SCOPED_TRACE(name);
     Configuration configuration = OnCircle(5, 0.7, 0.2, 1, 0.0);
-    const SharedTopology topology =
+    const SharedPlanarTopology topology =
       ShareTopology(MeshThroughPoints(Builtin(name, 0.1), configuration, 0.1));
     std::vector<int> singular;
     for (const Singularity& singularity : configuration)

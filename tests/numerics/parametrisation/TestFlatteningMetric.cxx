@@ -8,6 +8,7 @@
 #include "MeshForPoints.h"
 #include "MetricCases.h"
 #include "MetricRemeshing.h"
+#include "PhaseSteps.h"
 #include "RandomConfigurations.h"
 #include "SeamlessMapChecks.h"
 #include "TMeshChecks.h"
@@ -22,11 +23,12 @@ namespace crossfield::test
 namespace
 {
 /// Returns the frames of singularities inside a domain.
-TriangleFrames FramesOf(const SharedTopology& topology, const Configuration& configuration)
+TriangleFrames FramesOf(const SharedPlanarTopology& topology, const Configuration& configuration)
 {
   const PointPotential potential =
     PointPotentialOn(topology->mesh, {}, TotalQuarters(configuration));
-  TriangleFrames frames = FrameTriangles(potential, potential.Solve(configuration));
+  TriangleFrames frames =
+    FrameTriangles(*topology, StepsOf(potential, potential.Solve(configuration)));
   frames.h.array() -= frames.h.mean();
   return frames;
 }
@@ -69,9 +71,10 @@ struct Errors
 Errors ErrorsOnTheDisk(double radius, double exact, double firstAngle, double size)
 {
   const Configuration four = OnCircle(4, radius, firstAngle, 1, 0.0);
-  const SharedTopology topology = ShareTopology(MeshThroughPoints(DiskOfEdges(size), four, size));
+  const SharedPlanarTopology topology =
+    ShareTopology(MeshThroughPoints(DiskOfEdges(size), four, size));
   const SeamlessMap nearest = SolveSeamlessMap(topology, four);
-  FlattenedTargets flat = FlattenFrames(topology, FramesOf(topology, four), nearest.cones);
+  FlattenedTargets flat = FlattenFrames(*topology, FramesOf(topology, four), nearest.cones);
   EXPECT_TRUE(flat.report.converged);
   EXPECT_LE(flat.report.iterations, 6);
   EXPECT_LT(flat.report.angleDefect, 1e-9);
@@ -118,7 +121,8 @@ TEST(FlattenFrames, ConvergesToExactLengthsOnTheDisk)
 TEST(FlattenMetric, FindsTheConformalFlatMetric)
 {
   const Configuration four = OnCircle(4, 0.6, Pi / 4.0, 1, 0.0);
-  const SharedTopology topology = ShareTopology(MeshThroughPoints(DiskOfEdges(0.1), four, 0.1));
+  const SharedPlanarTopology topology =
+    ShareTopology(MeshThroughPoints(DiskOfEdges(0.1), four, 0.1));
   const std::vector<Cone> cones = SolveSeamlessMap(topology, four).cones;
   ConeMetric metric(*topology, FramesOf(topology, four).jump, cones);
   SplitNarrowFans(metric);

@@ -38,10 +38,10 @@ TEST(SeamlessMap, IsAnIsometryOnTheSquare)
   const SeamlessMap map = MapOf(Builtin("square"), {}, 0.2);
   EXPECT_LT(map.residual, 1e-7); // the root of a difference between numbers of order 1
   const Point first = map.points.front();
-  const Point place = map.topology->PointAt(map.original.front());
+  const SpacePoint place = map.topology->PositionOf(map.original.front());
   for (std::size_t p = 0; p < map.points.size(); ++p)
   {
-    const Point moved = map.topology->PointAt(map.original[p]) - place;
+    const SpacePoint moved = map.topology->PositionOf(map.original[p]) - place;
     EXPECT_NEAR((map.points[p] - first).norm(), moved.norm(), 1e-9);
   }
 }

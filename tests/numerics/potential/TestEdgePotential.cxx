@@ -13,7 +13,7 @@ namespace crossfield::test
 namespace
 {
 /// Returns a square with two islands, one of them next to the boundary.
-SharedTopology WithIslands(double size)
+SharedPlanarTopology WithIslands(double size)
 {
   const PlanarDomain domain =
     MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } },
@@ -25,7 +25,7 @@ SharedTopology WithIslands(double size)
 }
 
 /// Returns fluxes through boundary edges that add up to zero; those through each loop do not.
-Eigen::VectorXd FluxesOn(const MeshTopology& topology)
+Eigen::VectorXd FluxesOn(const PlanarTopology& topology)
 {
   Eigen::VectorXd fluxes(static_cast<Eigen::Index>(topology.mesh.boundary.size()));
   for (Eigen::Index i = 0; i < fluxes.size(); ++i)
@@ -38,7 +38,7 @@ Eigen::VectorXd FluxesOn(const MeshTopology& topology)
 
 TEST(EdgePotential, AgreesWithTheCrouzeixRaviartSolution)
 {
-  const SharedTopology topology = WithIslands(0.07);
+  const SharedPlanarTopology topology = WithIslands(0.07);
   const PotentialSolver solver(topology);
   const Eigen::VectorXd fluxes = FluxesOn(*topology);
   const Eigen::VectorXd values = EdgePotential(solver).Solve(fluxes);
@@ -62,7 +62,7 @@ TEST(EdgePotential, AgreesWithTheCrouzeixRaviartSolution)
 
 TEST(EdgePotential, IsSymmetricAndHasMoreEnergyThanThePotentialAtVertices)
 {
-  const SharedTopology topology = WithIslands(0.1);
+  const SharedPlanarTopology topology = WithIslands(0.1);
   const PotentialSolver solver(topology);
   const EdgePotential edges(solver);
   const Eigen::VectorXd fluxes = FluxesOn(*topology);

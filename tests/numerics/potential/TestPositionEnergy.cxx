@@ -29,7 +29,7 @@ const Configuration Singularities = { { { 0.1, 0.5 }, -1, 0.0 }, { { 0.05, -0.4 
 
 /// Returns the choice of a quarter index at the boundary vertex farthest to the right, and at a
 /// corner of the square.
-std::vector<CornerChoice> Choices(const MeshTopology& topology, int atCurve, int atCorner)
+std::vector<CornerChoice> Choices(const PlanarTopology& topology, int atCurve, int atCorner)
 {
   std::vector<CornerChoice> choices;
   if (atCurve != 0)
@@ -46,7 +46,7 @@ std::vector<CornerChoice> Choices(const MeshTopology& topology, int atCurve, int
 PointPotential PotentialWith(
   const std::shared_ptr<const PotentialSolver>& solver, int atCurve, int atCorner)
 {
-  const MeshTopology& topology = solver->GetTopology();
+  const PlanarTopology& topology = solver->GetTopology();
   return { solver,
     AlignWithBoundary(
       topology, Choices(topology, atCurve, atCorner), TotalQuarters(Singularities)) };
@@ -156,7 +156,7 @@ TEST(PositionEnergy, IsTheSameAfterAnotherAlignment)
 }
 
 /// Returns the mesh vertex at a position.
-int VertexAt(const MeshTopology& topology, const Point& position)
+int VertexAt(const PlanarTopology& topology, const Point& position)
 {
   for (const BoundaryEdge& edge : topology.mesh.boundary)
   {
@@ -173,7 +173,7 @@ int VertexAt(const MeshTopology& topology, const Point& position)
 TEST(StrengthChanges, HaveTheEnergyOfTheChangedConfiguration)
 {
   const auto solver = Solver();
-  const MeshTopology& topology = solver->GetTopology();
+  const PlanarTopology& topology = solver->GetTopology();
   const auto energy = std::make_shared<const PositionEnergy>(
     std::make_shared<const PointPotential>(PotentialWith(solver, -1, 0)));
   const Loop outer = topology.AlignedLoops()[0];

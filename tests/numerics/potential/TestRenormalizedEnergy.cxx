@@ -77,7 +77,7 @@ RenormalizedEnergyValue OnPolygon(const OnPolygonOfDisk& at, double size)
 {
   const TriangleMesh mesh = Mesh(InsertBoundarySingularities(at.domain, at.given), size);
   const auto potential = std::make_shared<const PotentialSolver>(ShareTopology(mesh));
-  const MeshTopology& topology = potential->GetTopology();
+  const PlanarTopology& topology = potential->GetTopology();
   const PlacedConfiguration placed = PlaceConfiguration(topology, at.given, {});
   return Evaluate(
     { potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)) },

@@ -59,7 +59,7 @@ TEST(UnitNormField, IsUnitAlignedAndHasItsDegrees)
       }
     }
     // No triangle is singular.
-    const FieldIndices indices = ReadIndices(MeshTopology(mesh), field.u);
+    const FieldIndices indices = ReadIndices(PlanarTopology(mesh), field.u);
     EXPECT_EQ(std::count(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0),
       static_cast<std::ptrdiff_t>(mesh.triangles.size()));
   }

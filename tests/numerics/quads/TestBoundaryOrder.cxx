@@ -142,7 +142,7 @@ TEST(QuadEnergy, PowersKeepTheMinimum)
   square.points[3].place = { 0.0, 3.0 };
   square.quads = { { 0, 1, 2, 3 } };
   square.targetLengths = { { 2.0, 3.0 } };
-  const SharedTopology topology = ShareTopology(MeshForPoints(LShape(), {}, 0.5));
+  const SharedPlanarTopology topology = ShareTopology(MeshForPoints(LShape(), {}, 0.5));
   const BoundaryCurves curves(*topology);
   for (const double power : { 1.0, 2.0, 4.0 })
   {

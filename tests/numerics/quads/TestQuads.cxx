@@ -36,7 +36,7 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double minimu
   EXPECT_EQ(
     mesh.EulerCharacteristic(), map.topology->edges.EulerCharacteristic(map.topology->mesh));
   std::size_t cones = 0;
-  const std::vector<Loop> loops = map.topology->AlignedLoops();
+  const std::vector<Loop> loops = RequirePlanar(map.topology)->AlignedLoops();
   for (const QuadPoint& point : mesh.points)
   {
     const bool inside = point.curve.loop < 0;
@@ -49,8 +49,9 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double minimu
     }
     if (point.cone >= 0 && !result.smoothing.released)
     {
-      EXPECT_EQ(
-        point.place, map.topology->PointAt(map.cones[static_cast<std::size_t>(point.cone)].vertex));
+      EXPECT_EQ(point.place,
+        RequirePlanar(map.topology)
+          ->PointAt(map.cones[static_cast<std::size_t>(point.cone)].vertex));
     }
   }
   EXPECT_EQ(cones, map.cones.size());

@@ -11,7 +11,7 @@ namespace crossfield
 {
 namespace
 {
-SharedTopology Plate()
+SharedPlanarTopology Plate()
 {
   const PlanarDomain plate =
     MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
@@ -27,7 +27,7 @@ double Size(const Point& place)
 
 TEST(SizeExtension, IsExactIfTheLogarithmIsLinear)
 {
-  const SharedTopology topology = Plate();
+  const SharedPlanarTopology topology = Plate();
   const auto count = static_cast<Eigen::Index>(topology->mesh.points.size());
   Eigen::VectorXd sizes = Eigen::VectorXd::Constant(count, -1.0); // inner values are ignored
   for (const BoundaryEdge& edge : topology->mesh.boundary)
@@ -43,7 +43,7 @@ TEST(SizeExtension, IsExactIfTheLogarithmIsLinear)
 
 TEST(SizeExtension, EquivalentSizeGivesTheSameNumberOfQuads)
 {
-  const SharedTopology topology = Plate();
+  const SharedPlanarTopology topology = Plate();
   const auto count = static_cast<Eigen::Index>(topology->mesh.points.size());
   EXPECT_NEAR(EquivalentSize(topology->mesh, Eigen::VectorXd::Constant(count, 0.3)), 0.3, 1e-12);
   Eigen::VectorXd sizes(count);

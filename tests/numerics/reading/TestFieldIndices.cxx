@@ -78,7 +78,7 @@ TEST(FieldIndices, AreLocatedAtTheSingularitiesOfExactFields)
   for (const Configuration& singularities : Configurations())
   {
     const FieldIndices indices =
-      ReadIndices(MeshTopology(mesh), Sample(mesh, edges, singularities));
+      ReadIndices(PlanarTopology(mesh), Sample(mesh, edges, singularities));
     EXPECT_EQ(Sum(indices.ofTriangle) + Sum(indices.ofVertex), 4);
     std::vector<int> found(singularities.size(), 0);
     const auto assign = [&](const Point& place, int index)
@@ -118,7 +118,7 @@ TEST(FieldIndices, CornersHaveTheirQuarterIndices)
     const TriangleMesh mesh = DrillHoles(Builtin(name), {});
     const EdgeNumbering edges = NumberEdges(mesh);
     const FieldIndices indices =
-      ReadIndices(MeshTopology(mesh), ComplexVector::Ones(edges.Count()));
+      ReadIndices(PlanarTopology(mesh), ComplexVector::Ones(edges.Count()));
     EXPECT_EQ(Sum(indices.ofTriangle), 0);
     EXPECT_EQ(Sum(indices.ofVertex), 4);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -154,7 +154,7 @@ TEST(FieldIndices, SumIsTopologicalEvenForRandomFields)
         value = random.UnitComplex() * std::exp(random.Uniform(-5.0, 5.0));
       }
       Align(mesh, edges, u);
-      const FieldIndices indices = ReadIndices(MeshTopology(mesh), u);
+      const FieldIndices indices = ReadIndices(PlanarTopology(mesh), u);
       int sum = Sum(indices.ofTriangle) + Sum(indices.ofVertex);
       for (const BoundaryLoop& loop : loops)
       {
@@ -170,7 +170,7 @@ TEST(FieldIndices, AreIndependentOfNormAndFrame)
   const TriangleMesh mesh = DrillHoles(Builtin("disk"), {});
   const EdgeNumbering edges = NumberEdges(mesh);
   ComplexVector u = Sample(mesh, edges, Configurations()[1]);
-  const FieldIndices plain = ReadIndices(MeshTopology(mesh), u);
+  const FieldIndices plain = ReadIndices(PlanarTopology(mesh), u);
   Random random(51);
   for (Complex& value : u)
   {
@@ -179,7 +179,7 @@ TEST(FieldIndices, AreIndependentOfNormAndFrame)
   // Rotating everything by an angle rotates the representation by four times the angle.
   const Similarity turn{ 0.7, 2.0, Point(1.0, 1.0) };
   const FieldIndices turned =
-    ReadIndices(MeshTopology(turn(mesh)), u * std::polar(1.0, 4.0 * turn.angle));
+    ReadIndices(PlanarTopology(turn(mesh)), u * std::polar(1.0, 4.0 * turn.angle));
   EXPECT_EQ(turned.ofTriangle, plain.ofTriangle);
   EXPECT_EQ(turned.ofVertex, plain.ofVertex);
 }

@@ -14,7 +14,7 @@ namespace
 /// Returns the constant cross field along the axes.
 CrossField ConstantField(const TriangleMesh& mesh)
 {
-  const SharedTopology topology = ShareTopology(mesh);
+  const SharedPlanarTopology topology = ShareTopology(mesh);
   return { topology, ComplexVector::Ones(topology->edges.Count()) };
 }
 
@@ -47,7 +47,8 @@ CrossField ExactField(const Configuration& singularities)
 {
   DrillOptions options;
   options.meshSize = 0.04;
-  const SharedTopology topology = ShareTopology(DrillHoles(Builtin("disk", 0.04), {}, options));
+  const SharedPlanarTopology topology =
+    ShareTopology(DrillHoles(Builtin("disk", 0.04), {}, options));
   CrossField field{ topology, ComplexVector(topology->edges.Count()) };
   for (int e = 0; e < topology->edges.Count(); ++e)
   {

@@ -220,7 +220,7 @@ TEST(PoincareHopf, CountsOfDrilledMeshesEqualThoseOfTheirDomains)
     const Configuration holes = { { place, 3, 0.02 * size },
       { place + Point(0.0, 0.08 * size), -1, 0.02 * size } };
     const TriangleMesh mesh = DrillHoles(domain, holes);
-    const PoincareHopfCount count = CountMeshQuarters(MeshTopology(mesh));
+    const PoincareHopfCount count = CountMeshQuarters(PlanarTopology(mesh));
     EXPECT_EQ(count.requiredInteriorQuarters, Required(domain));
     EXPECT_EQ(count.eulerCharacteristic, domain.EulerCharacteristic());
     EXPECT_EQ(count.givenInteriorQuarters, 2);

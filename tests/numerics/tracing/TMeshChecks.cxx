@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace crossfield::test
 {
@@ -49,12 +50,13 @@ void ExpectSound(const TMesh& mesh, int euler)
     {
       for (const int h : side)
       {
-        std::vector<Point> path = mesh.arcs[static_cast<std::size_t>(h / 2)].polyline;
+        std::vector<SpacePoint> path = mesh.arcs[static_cast<std::size_t>(h / 2)].polyline;
         if (h % 2 == 1)
         {
           std::reverse(path.begin(), path.end());
         }
-        loop.insert(loop.end(), path.begin(), path.end() - 1);
+        std::transform(path.begin(), path.end() - 1, std::back_inserter(loop),
+          [](const SpacePoint& place) { return place.head<2>(); });
       }
     }
     domain += SignedArea(loop);

@@ -291,7 +291,7 @@ TEST(PrescribedSizes, AreRelativeToTheirMeanAndContinuedFromTheBoundary)
 {
   const PlanarDomain plate =
     MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
-  const SharedTopology topology = ShareTopology(MeshThroughPoints(plate, {}, 0.1));
+  const SharedPlanarTopology topology = ShareTopology(MeshThroughPoints(plate, {}, 0.1));
   const auto size = [](const Point& place) { return 0.2 * std::exp(0.4 * place.x()); };
   for (const bool isOnBoundaryOnly : { false, true })
   {

@@ -5,6 +5,7 @@
 #include "Error.h"
 #include "FlatMetric.h"
 #include "InjectivityCheck.h"
+#include "PhaseSteps.h"
 #include "PoincareHopf.h"
 #include "TargetSolve.h"
 
@@ -18,7 +19,7 @@ namespace crossfield
 namespace
 {
 /// Returns the vertex nearest to a position, within `reach`; −1 if there is none.
-int VertexAt(const MeshTopology& topology, const Point& position, double reach)
+int VertexAt(const PlanarTopology& topology, const Point& position, double reach)
 {
   int nearest = -1;
   double distance = reach;
@@ -37,7 +38,7 @@ int VertexAt(const MeshTopology& topology, const Point& position, double reach)
 /// Finds the cones of singularities, then of corners. Throws Error where one has no cone angle or
 /// no vertex.
 std::vector<Cone> FindCones(
-  const MeshTopology& topology, const PlacedConfiguration& placed, const PoincareHopfCount& count)
+  const PlanarTopology& topology, const PlacedConfiguration& placed, const PoincareHopfCount& count)
 {
   std::vector<Cone> cones;
   const double reach = BoundaryReach * BoundingDiagonal(topology.AlignedLoops());
@@ -87,7 +88,7 @@ std::vector<Cone> FindCones(
 
 /// Solves for H and the crosses. Without a given solver, frees their factor before that of the map is
 /// made, which takes twice as much memory. Sets the holonomy defects.
-TriangleFrames SolveFrames(const SharedTopology& topology,
+TriangleFrames SolveFrames(const SharedPlanarTopology& topology,
   std::shared_ptr<const PotentialSolver> solver, Alignment alignment, const Configuration& interior,
   std::vector<double>& holonomyDefect, const Progress& progress)
 {
@@ -98,7 +99,8 @@ TriangleFrames SolveFrames(const SharedTopology& topology,
   const PointPotential potential(std::move(solver), std::move(alignment));
   const PointPotential::Solution solution = potential.Solve(interior);
   holonomyDefect = solution.holonomyDefect;
-  TriangleFrames frames = FrameTriangles(potential, solution);
+  TriangleFrames frames =
+    FrameTriangles(potential.GetProblem().Topology(), StepsOf(potential, solution));
   frames.h.array() -= frames.h.mean();
   progress.Report(1.0);
   return frames;
@@ -121,11 +123,10 @@ std::string Rounded(double value)
 [[noreturn]] void Refuse(
   const MapFault& fault, const FlatteningReport& report, const std::vector<double>& holonomyDefect)
 {
-  const std::string what = fault.reversed > 0
-    ? "The seamless map folds over in " + std::to_string(fault.reversed) +
-      " triangles, the first near " + Describe(fault.place)
-    : "The angles of the seamless map at " + Describe(fault.place) + " add up to " +
-      Degrees(fault.angleSum) + " instead of " + Degrees(fault.expectedSum);
+  const std::string what = fault.reversed > 0 ? "The seamless map folds over in " +
+      std::to_string(fault.reversed) + " triangles, the first near " + fault.where
+                                              : "The angles of the seamless map at " + fault.where +
+      " add up to " + Degrees(fault.angleSum) + " instead of " + Degrees(fault.expectedSum);
   const auto worst = std::max_element(holonomyDefect.begin(), holonomyDefect.end(),
     [](double a, double b) { return std::abs(a) < std::abs(b); });
   // Radians of the phase: one degree of the crosses.
@@ -144,7 +145,7 @@ std::string Rounded(double value)
 }
 }
 
-PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuration& configuration,
+PlacedConfiguration PlaceForMap(const PlanarTopology& topology, const Configuration& configuration,
   const SeamlessMapOptions& options)
 {
   return PlaceConfiguration(topology, configuration,
@@ -152,8 +153,8 @@ PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuratio
                        : options.corners);
 }
 
-SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration& configuration,
-  const SeamlessMapOptions& options, const Progress& progress,
+SeamlessMap SolveSeamlessMap(const SharedPlanarTopology& topology,
+  const Configuration& configuration, const SeamlessMapOptions& options, const Progress& progress,
   const std::shared_ptr<const PotentialSolver>& potential)
 {
   for (const Singularity& singularity : configuration)
@@ -175,7 +176,7 @@ SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration
     { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 0.5));
   if (const auto fault = FindFault(map))
   {
-    FlattenedTargets flat = FlattenFrames(topology, frames, cones, progress.Part(0.5, 0.8));
+    FlattenedTargets flat = FlattenFrames(*topology, frames, cones, progress.Part(0.5, 0.8));
     if (flat.report.converged)
     {
       map = SolveTargets(std::move(flat.targets), cones, progress.Part(0.8, 1.0));

@@ -20,7 +20,7 @@ struct SeamlessMapOptions
 };
 
 /// Calls PlaceConfiguration with the corners of the options, capped if the options say so.
-PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuration& configuration,
+PlacedConfiguration PlaceForMap(const PlanarTopology& topology, const Configuration& configuration,
   const SeamlessMapOptions& options);
 
 /// Solves for the seamless map on a mesh with a vertex at every singularity (MeshThroughPoints).
@@ -29,7 +29,7 @@ PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuratio
 /// Throws Error when a singularity has quarter index 3 or more or is at no vertex, when a corner
 /// has index 2 or more, when the configuration is not consistent, and, with the location, when the
 /// map folds over or the angles at a vertex do not add up.
-SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration& configuration,
-  const SeamlessMapOptions& options = {}, const Progress& progress = {},
-  const std::shared_ptr<const PotentialSolver>& potential = nullptr);
+SeamlessMap SolveSeamlessMap(const SharedPlanarTopology& topology,
+  const Configuration& configuration, const SeamlessMapOptions& options = {},
+  const Progress& progress = {}, const std::shared_ptr<const PotentialSolver>& potential = nullptr);
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "PointPotential.h"
+#include "TriangleFrames.h"
+
+namespace crossfield
+{
+/// Returns the steps of the phase of one configuration: those of the conjugate of R plus the angles at
+/// which the positions of the logarithms see each step.
+PhaseSteps StepsOf(const PointPotential& potential, const PointPotential::Solution& solution);
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "Index.h"
+
+#include <vector>
+
+namespace crossfield
+{
+/// Searches triangles breadth-first from one. `neighbour(triangle, side)` returns the triangle across
+/// a side, or −1 where the search must not pass; `reach(triangle, side, next)` is called once for each
+/// triangle but the first, after the triangle before it.
+template <typename Neighbour, typename Reach>
+void SearchTriangles(int count, int first, const Neighbour& neighbour, const Reach& reach)
+{
+  std::vector<bool> known(Index(count), false);
+  known[Index(first)] = true;
+  std::vector<int> queue = { first };
+  for (std::size_t at = 0; at < queue.size(); ++at)
+  {
+    const int triangle = queue[at];
+    for (int side = 0; side < 3; ++side)
+    {
+      const int next = neighbour(triangle, side);
+      if (next >= 0 && !known[Index(next)])
+      {
+        known[Index(next)] = true;
+        reach(triangle, side, next);
+        queue.push_back(next);
+      }
+    }
+  }
+}
+}
