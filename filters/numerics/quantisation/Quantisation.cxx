@@ -20,12 +20,16 @@ namespace crossfield
 namespace
 {
 /// Returns counts of at least one edge everywhere, and at least MinimumLoop around every loop, so that no
-/// points coincide.
-EdgeCounts CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
+/// points coincide. Returns nothing if paired sides do not permit that.
+std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
 {
   problem.lower.assign(problem.Count(), 1);
-  EdgeCounts result = SolveBidirectedFlow(problem);
-  const std::vector<Violation> shortLoops = FindViolations(mesh, result.counts);
+  std::vector<int> counts = SolveBidirectedFlow(problem).counts;
+  if (counts.empty())
+  {
+    return counts;
+  }
+  const std::vector<Violation> shortLoops = FindViolations(mesh, counts);
   for (const Violation& loop : shortLoops)
   {
     for (const int arc : loop.arcs)
@@ -33,12 +37,21 @@ EdgeCounts CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
       problem.lower[Index(arc)] = MinimumLoop;
     }
   }
-  return shortLoops.empty() ? result : SolveBidirectedFlow(problem);
+  return shortLoops.empty() ? counts : SolveBidirectedFlow(problem).counts;
 }
 
-/// Returns counts that hold the prescribed sums.
+/// Returns counts that hold the equations and prescribed sums and keep points apart. Throws Error if there
+/// are none.
 std::vector<int> FeasibleCounts(const TMesh& mesh, const QuantisationProblem& problem)
 {
+  if (problem.sums.empty())
+  {
+    std::vector<int> counts = CountAllArcs(mesh, problem);
+    if (!counts.empty())
+    {
+      return counts;
+    }
+  }
   std::optional<std::vector<int>> counts = FindFeasibleCounts(mesh, problem);
   if (!counts)
   {
@@ -177,8 +190,7 @@ EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, Searc
   best.nodes = 0; // only nodes of branch and cut are counted
   if (!problem.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
   {
-    best.counts =
-      problem.sums.empty() ? CountAllArcs(mesh, problem).counts : FeasibleCounts(mesh, problem);
+    best.counts = FeasibleCounts(mesh, problem);
     best.cost = problem.Cost(best.counts);
   }
   if (best.cost > best.bound + CostRounding(best.bound))

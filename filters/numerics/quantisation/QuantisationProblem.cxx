@@ -1,5 +1,7 @@
 #include "QuantisationProblem.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +14,7 @@ bool CountSum::Holds(const std::vector<int>& counts) const
   int sum = 0;
   for (const auto& [arc, factor] : this->terms)
   {
-    sum += factor * counts[static_cast<std::size_t>(arc)];
+    sum += factor * counts[Index(arc)];
   }
   return sum >= this->minimum && sum <= this->maximum;
 }
@@ -21,6 +23,21 @@ bool QuantisationProblem::HoldsSums(const std::vector<int>& counts) const
 {
   return std::all_of(this->sums.begin(), this->sums.end(),
     [&counts](const CountSum& sum) { return sum.Holds(counts); });
+}
+
+void QuantisationProblem::AddEquation(
+  const std::vector<int>& first, const std::vector<int>& second, const std::string& name)
+{
+  const auto equation = static_cast<int>(this->equations.size());
+  this->equations.push_back(name);
+  for (const int arc : first)
+  {
+    this->terms[Index(arc)].push_back({ equation, 1 });
+  }
+  for (const int arc : second)
+  {
+    this->terms[Index(arc)].push_back({ equation, -1 });
+  }
 }
 
 double QuantisationProblem::Cost(std::size_t arc, int count) const
@@ -40,7 +57,7 @@ double QuantisationProblem::Cost(const std::vector<int>& counts) const
 
 bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
 {
-  std::vector<int> totals(static_cast<std::size_t>(this->equations), 0);
+  std::vector<int> totals(this->equations.size(), 0);
   for (std::size_t a = 0; a < counts.size(); ++a)
   {
     if (counts[a] < this->lower[a])
@@ -49,7 +66,7 @@ bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
     }
     for (const EquationTerm& term : this->terms[a])
     {
-      totals[static_cast<std::size_t>(term.equation)] += term.sign * counts[a];
+      totals[Index(term.equation)] += term.sign * counts[a];
     }
   }
   return this->HoldsSums(counts) &&
@@ -70,17 +87,17 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
     {
       for (const int half : patch.sides[side])
       {
-        lengths[side] += problem.target[static_cast<std::size_t>(half / 2)];
+        lengths[side] += problem.target[Index(half / 2)];
       }
     }
     for (std::size_t side = 0; side < 4; ++side)
     {
       const double width = 0.5 * (lengths[(side + 1) % 4] + lengths[(side + 3) % 4]);
-      const EquationTerm term = { problem.equations + static_cast<int>(side % 2),
+      const EquationTerm term = { static_cast<int>(problem.equations.size() + side % 2),
         side < 2 ? 1 : -1 };
       for (const int half : patch.sides[side])
       {
-        const auto arc = static_cast<std::size_t>(half / 2);
+        const auto arc = Index(half / 2);
         problem.weight[arc] += 0.5 * width;
         std::vector<EquationTerm>& terms = problem.terms[arc];
         if (terms.size() == 1 && terms[0].equation == term.equation && terms[0].sign == -term.sign)
@@ -93,7 +110,7 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
         }
       }
     }
-    problem.equations += 2;
+    problem.equations.resize(problem.equations.size() + 2);
   }
   // An arc between patches without width keeps its target count by this weight, far below any other
   // one.

@@ -27,19 +27,25 @@ struct CountSum
 };
 
 /// The integer program for the edge counts of a T-mesh (docs/method.md §14.1): minimise Σ w_a |n_a
-/// − ℓ_a| over integers n_a ≥ lower_a, with one equation per pair of opposite sides of a patch.
-/// Every arc is in at most two equations, each time with coefficient ±1, so this is a bidirected
-/// flow, apart from prescribed sums. Separation rows (SeparationRow.h) are added by the search.
+/// − ℓ_a| over integers n_a ≥ lower_a, with one equation per pair of opposite sides of a patch, and
+/// those of paired sides of the boundary, whose arcs are in one equation of a patch. Every arc is in
+/// at most two equations, each time with coefficient ±1, so this is a bidirected flow, apart from
+/// prescribed sums. Separation rows (SeparationRow.h) are added by the search.
 struct QuantisationProblem
 {
   std::vector<double> target; ///< ℓ_a, the target edge count of each arc.
   std::vector<double> weight; ///< w_a > 0.
   std::vector<int> lower;
   std::vector<std::vector<EquationTerm>> terms; ///< Per arc; two terms that cancel are left out.
-  int equations = 0;
+  /// Names of the equations, for messages. Those of patches have none; the others can be left out, and
+  /// several may share one.
+  std::vector<std::string> equations;
   std::vector<CountSum> sums;
 
   std::size_t Count() const { return this->target.size(); }
+  /// Adds the equation Σ n_a of some arcs = Σ n_a of other ones. Every arc may be in one other equation.
+  void AddEquation(
+    const std::vector<int>& first, const std::vector<int>& second, const std::string& name);
   /// Returns w_a |count − ℓ_a| of one arc.
   double Cost(std::size_t arc, int count) const;
   /// Returns the objective.

@@ -74,7 +74,7 @@ void Relaxation::AddColumn(double cost, int upper)
 
 void Relaxation::AddEquations()
 {
-  std::vector<Terms> equations(Index(this->Problem.equations));
+  std::vector<Terms> equations(this->Problem.equations.size());
   for (const int arc : this->Free)
   {
     for (const EquationTerm& term : this->Problem.terms[Index(arc)])
@@ -225,7 +225,8 @@ bool Relaxation::AddCuts()
 
 void Relaxation::TightenBounds()
 {
-  const double slack = this->Solver->GetCutoff() - this->GetCost();
+  // An optimum that has just become the best solution is above the cutoff by rounding.
+  const double slack = std::max(0.0, this->Solver->GetCutoff() - this->GetCost());
   for (ColumnBounds& bounds : this->RootBounds)
   {
     const double reduced = std::abs(this->Solver->GetReducedCost(bounds.column));

@@ -176,6 +176,7 @@ TEST(PeriodicQuads, MatchOnRandomDomainsWithGoodQuads)
     QuadRequest request = RequestFor(domain, random.Integer(150, 900));
     const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
     ExpectPeriodic(domain, result);
+    EXPECT_EQ(result.quads.counts.nodes, 0) << "of branch and cut: the flow is enough";
     EXPECT_NEAR(static_cast<double>(result.quads.mesh.quads.size()), request.quadCount,
       0.05 * request.quadCount + 1.0);
     request.periodicNames.clear();
@@ -320,6 +321,52 @@ TEST(PeriodicQuads, MatchAroundACommonCorner)
   EXPECT_NEAR(std::abs(result.periodic[0].sides.motion.angle), Pi / 3.0, 1e-12);
   EXPECT_LE(result.periodic[0].sides.motion.Centre().norm(), 1e-12);
   EXPECT_LE(result.periodic[0].mismatch, 1e-12);
+}
+
+TEST(PeriodicQuads, MatchWithFewBlocks)
+{
+  Random random(852);
+  for (int trial = 0; trial < 2; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    const PeriodicDomain domain =
+      trial % 2 == 0 ? RandomPassage(random, 1) : RandomSector(random, 1);
+    QuadRequest request = RequestFor(domain, random.Integer(300, 900));
+    const std::size_t all = MakeQuadMesh(domain.domain, request).quads.blocks.blocks.size();
+    request.merge = BlockMerge::Coarse;
+    const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
+    ExpectPeriodic(domain, result);
+    EXPECT_LE(result.quads.blocks.blocks.size(), all);
+  }
+}
+
+/// Strips of quads lead from the left side to both the right side and the one above it, so the left and the
+/// right side cannot have equal numbers.
+TEST(PeriodicQuads, NamePairsThatFitNoMesh)
+{
+  const PlanarDomain domain =
+    MakePlanarDomain({ { { 0, 0 }, { 3, 0 }, { 3, 2 }, { 1.5, 1.5 }, { 1.5, 2.5 }, { 0, 2 } } });
+  QuadRequest request;
+  request.quadCount = 200;
+  request.sides = NameSides(domain);
+  request.periodicNames = { { "outer5", "outer1" } };
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(domain, request); },
+    { "The periodic pair outer5:outer1 fits no mesh of these singularities; leave it out." }));
+  // of a straight L-shape with both sides of length 1 paired, the side of length 2 has an even number
+  const PlanarDomain shape =
+    MakePlanarDomain({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } });
+  request.sides = NameSides(shape);
+  request.periodicNames = { { "outer1", "outer3" } };
+  SidePrescription count;
+  count.side = request.sides.Find("outer5");
+  count.count = 13;
+  request.prescribed = { count };
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(shape, request); },
+    { "The periodic pair outer1:outer3 and outer5:13 contradict each other",
+      "give outer5:14 or" }));
+  request.prescribed[0].count = 14;
+  const QuadWorkflowResult result = MakeQuadMesh(shape, request);
+  EXPECT_EQ(result.periodic[0].edges, 7);
 }
 
 TEST(PeriodicQuads, RefuseSidesThatAreNoImages)

@@ -1,4 +1,4 @@
-#include "PeriodicCounts.h"
+#include "PairedArcs.h"
 
 #include "Index.h"
 #include "SideArcs.h"
@@ -11,7 +11,7 @@ namespace crossfield
 {
 namespace
 {
-/// The places where the parts of two periodic sides begin and end.
+/// The places where the parts of two paired sides begin and end.
 class PartEnds
 {
 public:
@@ -112,43 +112,47 @@ private:
 };
 }
 
-void SplitAtPeriodic(const SeamlessMap& map, const BoundaryCurves& curves,
-  const BoundarySides& sides, const std::vector<PeriodicSides>& periodic, TMesh& mesh)
+void SplitAtPairs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
+  const std::vector<PeriodicSides>& pairs, TMesh& mesh)
 {
-  for (const PeriodicSides& pair : periodic)
+  for (const PeriodicSides& pair : pairs)
   {
     SplitBoundaryArcs(map, PartEnds(curves, sides, pair).Positions(), mesh);
   }
 }
 
-std::vector<CountSum> PeriodicSums(const SeamlessMap& map, const BoundaryCurves& curves,
-  const BoundarySides& sides, const std::vector<PeriodicSides>& periodic, const TMesh& mesh)
+PairedArcs::PairedArcs(const SeamlessMap& map, const BoundaryCurves& curves,
+  const BoundarySides& sides, const std::vector<PeriodicSides>& pairs, const TMesh& mesh)
 {
-  std::vector<CountSum> sums;
-  if (periodic.empty())
+  if (pairs.empty())
   {
-    return sums;
+    return;
   }
   const SideArcs arcs(map, curves, sides, mesh);
-  for (const PeriodicSides& pair : periodic)
+  for (const PeriodicSides& pair : pairs)
   {
     const PartEnds ends(curves, sides, pair);
-    std::vector<CountSum> ofPair(ends.Count());
+    std::vector<Part> parts(ends.Count(),
+      { {}, {},
+        "The periodic pair " + sides.names[Index(pair.first)] + ":" +
+          sides.names[Index(pair.second)] });
     for (const int arc : arcs.Of(pair.first))
     {
-      ofPair[ends.PartOnFirst(arcs.MiddleOf(arc))].terms.emplace_back(arc, 1);
+      parts[ends.PartOnFirst(arcs.MiddleOf(arc))].first.push_back(arc);
     }
     for (const int arc : arcs.Of(pair.second))
     {
-      ofPair[ends.PartOnSecond(arcs.MiddleOf(arc))].terms.emplace_back(arc, -1);
+      parts[ends.PartOnSecond(arcs.MiddleOf(arc))].second.push_back(arc);
     }
-    for (CountSum& sum : ofPair)
-    {
-      sum.name = "The periodic pair " + sides.names[Index(pair.first)] + ":" +
-        sides.names[Index(pair.second)];
-      sums.push_back(std::move(sum));
-    }
+    this->Parts.insert(this->Parts.end(), parts.begin(), parts.end());
   }
-  return sums;
+}
+
+void PairedArcs::AddEquations(QuantisationProblem& problem) const
+{
+  for (const Part& part : this->Parts)
+  {
+    problem.AddEquation(part.first, part.second, part.pair);
+  }
 }
 }
