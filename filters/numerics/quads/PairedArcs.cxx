@@ -15,7 +15,7 @@ namespace
 class PartEnds
 {
 public:
-  PartEnds(const BoundaryCurves& curves, const BoundarySides& sides, const PeriodicSides& pair)
+  PartEnds(const BoundaryCurves& curves, const BoundarySides& sides, const PairedSides& pair)
     : Curves(curves)
     , First(FindSpan(sides, curves.GetArcs(), pair.first))
     , Second(FindSpan(sides, curves.GetArcs(), pair.second))
@@ -79,7 +79,7 @@ private:
   bool IsInside(const SideSpan& span, const CurvePlace& place) const
   {
     const double offset = this->OffsetOf(span, place);
-    const double rounding = PeriodicReach * this->Curves.Length(span.loop);
+    const double rounding = PairReach * this->Curves.Length(span.loop);
     return place.loop == span.loop && offset > rounding && offset < span.length - rounding;
   }
 
@@ -88,7 +88,7 @@ private:
   {
     const double onFirst =
       this->OffsetOf(this->First, this->Curves.Nearest(this->First.loop, place));
-    const double rounding = 10.0 * PeriodicReach * this->Curves.Length(this->First.loop);
+    const double rounding = 10.0 * PairReach * this->Curves.Length(this->First.loop);
     if (std::none_of(this->OnFirst.begin(), this->OnFirst.end(),
           [&](double other) { return std::abs(other - onFirst) <= rounding; }))
     {
@@ -113,23 +113,23 @@ private:
 }
 
 void SplitAtPairs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
-  const std::vector<PeriodicSides>& pairs, TMesh& mesh)
+  const std::vector<PairedSides>& pairs, TMesh& mesh)
 {
-  for (const PeriodicSides& pair : pairs)
+  for (const PairedSides& pair : pairs)
   {
     SplitBoundaryArcs(map, PartEnds(curves, sides, pair).Positions(), mesh);
   }
 }
 
 PairedArcs::PairedArcs(const SeamlessMap& map, const BoundaryCurves& curves,
-  const BoundarySides& sides, const std::vector<PeriodicSides>& pairs, const TMesh& mesh)
+  const BoundarySides& sides, const std::vector<PairedSides>& pairs, const TMesh& mesh)
 {
   if (pairs.empty())
   {
     return;
   }
   const SideArcs arcs(map, curves, sides, mesh);
-  for (const PeriodicSides& pair : pairs)
+  for (const PairedSides& pair : pairs)
   {
     const PartEnds ends(curves, sides, pair);
     std::vector<Part> parts(ends.Count(),

@@ -178,10 +178,7 @@ private:
     {
       return;
     }
-    for (const PeriodicSides& sides : this->Options.periodic)
-    {
-      mesh.periodic.push_back({ sides, {} });
-    }
+    mesh.periodic = this->Options.periodic;
     const std::vector<QuadPoint> before = mesh.points;
     FindPairs(mesh);
     MatchPairs(this->Curves, mesh);
