@@ -121,38 +121,34 @@ void SplitAtPairs(const SeamlessMap& map, const BoundaryCurves& curves, const Bo
   }
 }
 
-PairedArcs::PairedArcs(const SeamlessMap& map, const BoundaryCurves& curves,
+std::vector<CountSum> PairSums(const SeamlessMap& map, const BoundaryCurves& curves,
   const BoundarySides& sides, const std::vector<PairedSides>& pairs, const TMesh& mesh)
 {
+  std::vector<CountSum> sums;
   if (pairs.empty())
   {
-    return;
+    return sums;
   }
   const SideArcs arcs(map, curves, sides, mesh);
   for (const PairedSides& pair : pairs)
   {
     const PartEnds ends(curves, sides, pair);
-    std::vector<Part> parts(ends.Count(),
-      { {}, {},
-        "The periodic pair " + sides.names[Index(pair.first)] + ":" +
-          sides.names[Index(pair.second)] });
+    std::vector<CountSum> ofPair(ends.Count());
     for (const int arc : arcs.Of(pair.first))
     {
-      parts[ends.PartOnFirst(arcs.MiddleOf(arc))].first.push_back(arc);
+      ofPair[ends.PartOnFirst(arcs.MiddleOf(arc))].terms.emplace_back(arc, 1);
     }
     for (const int arc : arcs.Of(pair.second))
     {
-      parts[ends.PartOnSecond(arcs.MiddleOf(arc))].second.push_back(arc);
+      ofPair[ends.PartOnSecond(arcs.MiddleOf(arc))].terms.emplace_back(arc, -1);
     }
-    this->Parts.insert(this->Parts.end(), parts.begin(), parts.end());
+    for (CountSum& sum : ofPair)
+    {
+      sum.name = "The periodic pair " + sides.names[Index(pair.first)] + ":" +
+        sides.names[Index(pair.second)];
+      sums.push_back(std::move(sum));
+    }
   }
-}
-
-void PairedArcs::AddEquations(QuantisationProblem& problem) const
-{
-  for (const Part& part : this->Parts)
-  {
-    problem.AddEquation(part.first, part.second, part.pair);
-  }
+  return sums;
 }
 }

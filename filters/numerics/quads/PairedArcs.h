@@ -7,9 +7,6 @@
 
 #include "SeamlessMap.h"
 
-#include <string>
-#include <vector>
-
 namespace crossfield
 {
 /// Adds nodes to a T-mesh at the ends of paired sides, at the corners on them, and at the images of these
@@ -17,25 +14,8 @@ namespace crossfield
 void SplitAtPairs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
   const std::vector<PairedSides>& pairs, TMesh& mesh);
 
-/// The arcs of each part between these nodes, for a T-mesh that is split there.
-class PairedArcs
-{
-public:
-  PairedArcs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
-    const std::vector<PairedSides>& pairs, const TMesh& mesh);
-
-  /// Adds the equations that make the edge counts of both sides of each pair, and of their parts, equal:
-  /// Σ n_a of the first = Σ n_a of the second.
-  void AddEquations(QuantisationProblem& problem) const;
-
-private:
-  struct Part
-  {
-    std::vector<int> first;
-    std::vector<int> second;
-    std::string pair; ///< Its name in messages.
-  };
-
-  std::vector<Part> Parts;
-};
+/// Returns the sums of edge counts that make both sides of each pair, and their parts between these
+/// nodes, equal, for a T-mesh that is split there: Σ n_a of the first − Σ n_a of the second = 0.
+std::vector<CountSum> PairSums(const SeamlessMap& map, const BoundaryCurves& curves,
+  const BoundarySides& sides, const std::vector<PairedSides>& pairs, const TMesh& mesh);
 }

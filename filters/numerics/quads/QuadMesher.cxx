@@ -66,8 +66,7 @@ public:
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
     , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
-    , Paired(map, curves, options.sides, options.periodic, result.tMesh)
-    , Sums(PrescribedSums(map, curves, options.sides, options.prescribed, result.tMesh))
+    , Sums(SumsOf(map, curves, options, result.tMesh))
   {
   }
 
@@ -171,6 +170,18 @@ private:
   /// blocks.
   static constexpr double AcceptedFraction = 0.5;
 
+  /// Returns all sums of edge counts that the options prescribe.
+  static std::vector<CountSum> SumsOf(const SeamlessMap& map, const BoundaryCurves& curves,
+    const QuadOptions& options, const TMesh& tMesh)
+  {
+    std::vector<CountSum> sums = PairSums(map, curves, options.sides, options.periodic, tMesh);
+    for (CountSum& sum : PrescribedSums(map, curves, options.sides, options.prescribed, tMesh))
+    {
+      sums.push_back(std::move(sum));
+    }
+    return sums;
+  }
+
   /// Pairs the nodes of periodic sides and moves them to positions that match.
   void PairNodes(QuadMesh& mesh) const
   {
@@ -199,7 +210,6 @@ private:
     }
     this->Graded.SetTargets(target);
     QuantisationProblem problem = MakeQuantisationProblem(this->Result.tMesh, std::move(target));
-    this->Paired.AddEquations(problem);
     problem.sums = this->Sums;
     this->Graded.SetWeights(problem);
     return problem;
@@ -342,8 +352,8 @@ private:
     return results;
   }
 
-  /// Returns the result, with counts and blocks, of a coarse solution; nothing if prescribed numbers or
-  /// paired sides do not fit its blocks.
+  /// Returns the result, with counts and blocks, of a coarse solution; nothing if prescribed numbers do
+  /// not fit its blocks.
   std::optional<QuadResult> Refined(double size, const EdgeCounts& coarse) const
   {
     const Chords chords(this->Result.tMesh, coarse.counts);
@@ -385,7 +395,6 @@ private:
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
   const GradedArcs Graded;
-  const PairedArcs Paired;
   const std::vector<CountSum> Sums; ///< Prescribed for sides of the boundary.
 };
 }

@@ -34,7 +34,7 @@ public:
   DoubleCover(const QuantisationProblem& problem, const std::vector<int>& lower,
     const std::vector<int>& upper)
     : Problem(problem)
-    , Ground(2 * static_cast<int>(problem.equations.size()))
+    , Ground(2 * problem.equations)
   {
     for (int i = 0; i <= this->Ground; ++i)
     {

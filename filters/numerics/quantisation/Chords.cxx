@@ -14,31 +14,6 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the prescribed sums of a problem and the equations of paired sides, as sums.
-std::vector<CountSum> RowsOf(const QuantisationProblem& problem)
-{
-  std::vector<CountSum> rows = problem.sums;
-  std::map<int, std::size_t> rowOf; // by equation
-  for (std::size_t a = 0; a < problem.Count(); ++a)
-  {
-    for (const EquationTerm& term : problem.terms[a])
-    {
-      const std::string& name = problem.equations[Index(term.equation)];
-      if (name.empty())
-      {
-        continue; // every refinement keeps the equations of patches
-      }
-      const std::size_t row = rowOf.emplace(term.equation, rows.size()).first->second;
-      if (row == rows.size())
-      {
-        rows.push_back({ {}, 0, 0, name });
-      }
-      rows[row].terms.emplace_back(static_cast<int>(a), term.sign);
-    }
-  }
-  return rows;
-}
-
 /// Returns the best positive numbers that hold the prescribed sums, found within a number of nodes;
 /// none if there are none.
 std::vector<int> Solve(const QuantisationProblem& problem)
@@ -128,15 +103,14 @@ std::vector<int> Chords::Numbers(const QuantisationProblem& problem) const
     ofChords.target.push_back(target[chord] / weight[chord]);
     numbers.push_back(std::max(1, static_cast<int>(std::lround(ofChords.target.back()))));
   }
-  const std::vector<CountSum> rows = RowsOf(problem);
-  if (rows.empty())
+  if (problem.sums.empty())
   {
     return numbers;
   }
   ofChords.weight = weight;
   ofChords.lower.assign(numbers.size(), 1);
   ofChords.terms.resize(numbers.size());
-  for (const CountSum& sum : rows)
+  for (const CountSum& sum : problem.sums)
   {
     std::map<int, int> factors;
     for (const auto& [arc, factor] : sum.terms)

@@ -14,12 +14,12 @@ public:
   Chords(const TMesh& mesh, std::vector<int> coarse);
 
   int Count() const { return this->Total; }
-  /// Returns the refined counts for the targets of a problem, nearest to them with its paired sides and
-  /// prescribed sums; none if the chords cannot have these.
+  /// Returns the refined counts for the targets of a problem, nearest to them with the prescribed
+  /// sums; none if the chords cannot have these.
   std::vector<int> Refine(const QuantisationProblem& problem) const;
 
 private:
-  /// Returns the number of edges of each chord; none if these are not possible.
+  /// Returns the number of edges of each chord; none if the prescribed sums are not possible.
   std::vector<int> Numbers(const QuantisationProblem& problem) const;
 
   std::vector<int> Coarse;

@@ -1,7 +1,6 @@
 #include "PrescribedSums.h"
 
 #include "BranchAndCut.h"
-#include "Index.h"
 #include "Separation.h"
 
 #include <algorithm>
@@ -30,21 +29,21 @@ SeparationRow RowFor(const Violation& violation, const TMesh& mesh, const std::v
   return row;
 }
 
-/// Finds out which paired sides and prescribed sums contradict each other.
+/// Finds out which prescribed sums contradict each other.
 class ConflictSearch
 {
 public:
   ConflictSearch(const TMesh& mesh, const QuantisationProblem& problem)
     : Mesh(mesh)
-    , All(problem)
+    , Problem(problem)
+    , All(problem.sums)
   {
-    for (const std::string& name : problem.equations)
-    {
-      this->AddName(name);
-    }
     for (const CountSum& sum : problem.sums)
     {
-      this->AddName(sum.name);
+      if (std::find(this->Names.begin(), this->Names.end(), sum.name) == this->Names.end())
+      {
+        this->Names.push_back(sum.name);
+      }
     }
   }
 
@@ -64,9 +63,7 @@ public:
     {
       return listed + " fits no mesh of these singularities; " + this->Nearest("leave it out");
     }
-    const std::string& last = this->Names.back();
-    const std::string out =
-      this->IsFeasible(this->Without([&last](const std::string& name) { return name == last; }))
+    const std::string out = this->IsFeasibleWithout(this->Names.back())
       ? "leave one out"
       : "prescribe fewer of the numbers";
     if (this->Names.size() == 2 && this->AreOneStrip())
@@ -78,49 +75,20 @@ public:
   }
 
 private:
-  void AddName(const std::string& name)
+  /// Returns whether there are counts for these sums.
+  bool IsFeasible(std::vector<CountSum> sums)
   {
-    if (!name.empty() && !Contains(this->Names, name))
-    {
-      this->Names.push_back(name);
-    }
+    this->Problem.sums = std::move(sums);
+    return FindFeasibleCounts(this->Mesh, this->Problem).has_value();
   }
 
-  static bool Contains(const std::vector<std::string>& names, const std::string& name)
+  std::vector<CountSum> SumsOf(const std::vector<std::string>& names) const
   {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
-
-  bool IsFeasible(const QuantisationProblem& problem) const
-  {
-    return FindFeasibleCounts(this->Mesh, problem).has_value();
-  }
-
-  /// Returns the problem without the equations and sums of which `isOut` of the name is true.
-  template <class IsOut>
-  QuantisationProblem Without(IsOut isOut) const
-  {
-    QuantisationProblem problem = this->All;
-    for (std::vector<EquationTerm>& terms : problem.terms)
-    {
-      terms.erase(std::remove_if(terms.begin(), terms.end(),
-                    [&](const EquationTerm& term)
-                    {
-                      const std::string& name = problem.equations[Index(term.equation)];
-                      return !name.empty() && isOut(name);
-                    }),
-        terms.end());
-    }
-    problem.sums.erase(std::remove_if(problem.sums.begin(), problem.sums.end(),
-                         [&](const CountSum& sum) { return isOut(sum.name); }),
-      problem.sums.end());
-    return problem;
-  }
-
-  /// Returns the problem with these names alone.
-  QuantisationProblem Only(const std::vector<std::string>& names) const
-  {
-    return this->Without([&names](const std::string& name) { return !Contains(names, name); });
+    std::vector<CountSum> sums;
+    std::copy_if(this->All.begin(), this->All.end(), std::back_inserter(sums),
+      [&names](const CountSum& sum)
+      { return std::find(names.begin(), names.end(), sum.name) != names.end(); });
+    return sums;
   }
 
   /// Leaves out names without which the others still contradict each other.
@@ -130,7 +98,7 @@ private:
     {
       std::vector<std::string> others = this->Names;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      if (!others.empty() && !this->IsFeasible(this->Only(others)))
+      if (!others.empty() && !this->IsFeasible(this->SumsOf(others)))
       {
         this->Names = std::move(others);
       }
@@ -141,11 +109,20 @@ private:
     }
   }
 
+  bool IsFeasibleWithout(const std::string& name)
+  {
+    std::vector<CountSum> sums = this->All;
+    sums.erase(std::remove_if(sums.begin(), sums.end(),
+                 [&name](const CountSum& sum) { return sum.name == name; }),
+      sums.end());
+    return this->IsFeasible(std::move(sums));
+  }
+
   /// Returns the sum of a name that is a single positive number, or null.
   const CountSum* NumberOf(const std::string& name) const
   {
     const CountSum* found = nullptr;
-    for (const CountSum& sum : this->All.sums)
+    for (const CountSum& sum : this->All)
     {
       if (sum.name == name)
       {
@@ -160,16 +137,16 @@ private:
   }
 
   /// Returns whether a name is feasible with another number.
-  bool IsFeasibleWith(QuantisationProblem problem, const std::string& name, int number) const
+  bool IsFeasibleWith(std::vector<CountSum> sums, const std::string& name, int number)
   {
-    for (CountSum& sum : problem.sums)
+    for (CountSum& sum : sums)
     {
       if (sum.name == name)
       {
         sum.minimum = sum.maximum = number;
       }
     }
-    return this->IsFeasible(problem);
+    return this->IsFeasible(std::move(sums));
   }
 
   /// Returns whether the two numbers can only be equal.
@@ -180,11 +157,11 @@ private:
     {
       return false;
     }
-    const QuantisationProblem both = this->Only(this->Names);
+    const std::vector<CountSum> sums = this->SumsOf(this->Names);
     const int number = first->minimum;
-    return this->IsFeasibleWith(both, this->Names[1], number) &&
-      !this->IsFeasibleWith(both, this->Names[1], number + 1) &&
-      !this->IsFeasibleWith(both, this->Names[1], number - 1);
+    return this->IsFeasibleWith(sums, this->Names[1], number) &&
+      !this->IsFeasibleWith(sums, this->Names[1], number + 1) &&
+      !this->IsFeasibleWith(sums, this->Names[1], number - 1);
   }
 
   /// Returns the remedy: the nearest number of the last name with which everything fits, or another
@@ -208,7 +185,8 @@ private:
   }
 
   const TMesh& Mesh;
-  const QuantisationProblem& All;
+  QuantisationProblem Problem;
+  const std::vector<CountSum> All;
   std::vector<std::string> Names;
 };
 }

@@ -13,8 +13,8 @@ namespace crossfield
 std::optional<std::vector<int>> FindFeasibleCounts(
   const TMesh& mesh, const QuantisationProblem& problem);
 
-/// Returns a sentence about paired sides and prescribed sums that contradict each other, none of which can
-/// be left out of the contradiction (an irreducible infeasible subset, by deletion; Chinneck 2008), with a
+/// Returns a sentence about prescribed sums that contradict each other, none of which can be left
+/// out of the contradiction (an irreducible infeasible subset, by deletion; Chinneck 2008), with a
 /// remedy that was found to work. `problem` has no feasible counts.
 std::string DescribeConflict(const TMesh& mesh, const QuantisationProblem& problem);
 }

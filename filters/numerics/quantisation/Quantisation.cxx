@@ -20,9 +20,13 @@ namespace crossfield
 namespace
 {
 /// Returns counts of at least one edge everywhere, and at least MinimumLoop around every loop, so that no
-/// points coincide. Returns nothing if paired sides do not permit that.
+/// points coincide. Returns nothing if the equations of paired sides or prescribed sums do not permit that.
 std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
 {
+  if (!problem.sums.empty())
+  {
+    return {};
+  }
   problem.lower.assign(problem.Count(), 1);
   std::vector<int> counts = SolveBidirectedFlow(problem).counts;
   if (counts.empty())
@@ -40,18 +44,9 @@ std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
   return shortLoops.empty() ? counts : SolveBidirectedFlow(problem).counts;
 }
 
-/// Returns counts that hold the equations and prescribed sums and keep points apart. Throws Error if there
-/// are none.
+/// Returns counts that hold all sums and keep points apart. Throws Error if there are none.
 std::vector<int> FeasibleCounts(const TMesh& mesh, const QuantisationProblem& problem)
 {
-  if (problem.sums.empty())
-  {
-    std::vector<int> counts = CountAllArcs(mesh, problem);
-    if (!counts.empty())
-    {
-      return counts;
-    }
-  }
   std::optional<std::vector<int>> counts = FindFeasibleCounts(mesh, problem);
   if (!counts)
   {
@@ -182,15 +177,20 @@ private:
 };
 }
 
-EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort,
+EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& withSums, SearchEffort effort,
   const Progress& progress)
 {
   Stopwatch stopwatch;
+  const QuantisationProblem problem = WithSumsAsEquations(withSums);
   EdgeCounts best = SolveBidirectedFlow(problem);
   best.nodes = 0; // only nodes of branch and cut are counted
   if (!problem.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
   {
-    best.counts = FeasibleCounts(mesh, problem);
+    best.counts = CountAllArcs(mesh, problem);
+    if (best.counts.empty())
+    {
+      best.counts = FeasibleCounts(mesh, withSums);
+    }
     best.cost = problem.Cost(best.counts);
   }
   if (best.cost > best.bound + CostRounding(best.bound))

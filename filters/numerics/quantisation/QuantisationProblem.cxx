@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace crossfield
@@ -25,21 +26,6 @@ bool QuantisationProblem::HoldsSums(const std::vector<int>& counts) const
     [&counts](const CountSum& sum) { return sum.Holds(counts); });
 }
 
-void QuantisationProblem::AddEquation(
-  const std::vector<int>& first, const std::vector<int>& second, const std::string& name)
-{
-  const auto equation = static_cast<int>(this->equations.size());
-  this->equations.push_back(name);
-  for (const int arc : first)
-  {
-    this->terms[Index(arc)].push_back({ equation, 1 });
-  }
-  for (const int arc : second)
-  {
-    this->terms[Index(arc)].push_back({ equation, -1 });
-  }
-}
-
 double QuantisationProblem::Cost(std::size_t arc, int count) const
 {
   return this->weight[arc] * std::abs(count - this->target[arc]);
@@ -57,7 +43,7 @@ double QuantisationProblem::Cost(const std::vector<int>& counts) const
 
 bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
 {
-  std::vector<int> totals(this->equations.size(), 0);
+  std::vector<int> totals(static_cast<std::size_t>(this->equations), 0);
   for (std::size_t a = 0; a < counts.size(); ++a)
   {
     if (counts[a] < this->lower[a])
@@ -93,7 +79,7 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
     for (std::size_t side = 0; side < 4; ++side)
     {
       const double width = 0.5 * (lengths[(side + 1) % 4] + lengths[(side + 3) % 4]);
-      const EquationTerm term = { static_cast<int>(problem.equations.size() + side % 2),
+      const EquationTerm term = { problem.equations + static_cast<int>(side % 2),
         side < 2 ? 1 : -1 };
       for (const int half : patch.sides[side])
       {
@@ -110,7 +96,7 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
         }
       }
     }
-    problem.equations.resize(problem.equations.size() + 2);
+    problem.equations += 2;
   }
   // An arc between patches without width keeps its target count by this weight, far below any other
   // one.
@@ -119,6 +105,33 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
   {
     weight = std::max(weight, MinimumWeight);
   }
+  return problem;
+}
+
+QuantisationProblem WithSumsAsEquations(QuantisationProblem problem)
+{
+  const auto isEquation = [&problem](const CountSum& sum)
+  {
+    return sum.minimum == 0 && sum.maximum == 0 &&
+      std::all_of(sum.terms.begin(), sum.terms.end(),
+        [&problem](const std::pair<int, int>& term)
+        { return std::abs(term.second) == 1 && problem.terms[Index(term.first)].size() < 2; });
+  };
+  std::vector<CountSum> others;
+  for (CountSum& sum : problem.sums)
+  {
+    if (!isEquation(sum))
+    {
+      others.push_back(std::move(sum));
+      continue;
+    }
+    for (const auto& [arc, sign] : sum.terms)
+    {
+      problem.terms[Index(arc)].push_back({ problem.equations, sign });
+    }
+    ++problem.equations;
+  }
+  problem.sums = std::move(others);
   return problem;
 }
 

@@ -15,7 +15,7 @@ struct EquationTerm
   int sign = 1;
 };
 
-/// A prescribed sum of edge counts: minimum ≤ Σ factor · n_a ≤ maximum.
+/// A prescribed sum of edge counts, or the difference of those of paired sides: minimum ≤ Σ factor · n_a ≤ maximum.
 struct CountSum
 {
   std::vector<std::pair<int, int>> terms; ///< Arc and factor; every arc at most once.
@@ -27,25 +27,19 @@ struct CountSum
 };
 
 /// The integer program for the edge counts of a T-mesh (docs/method.md §14.1): minimise Σ w_a |n_a
-/// − ℓ_a| over integers n_a ≥ lower_a, with one equation per pair of opposite sides of a patch, and
-/// those of paired sides of the boundary, whose arcs are in one equation of a patch. Every arc is in
-/// at most two equations, each time with coefficient ±1, so this is a bidirected flow, apart from
-/// prescribed sums. Separation rows (SeparationRow.h) are added by the search.
+/// − ℓ_a| over integers n_a ≥ lower_a, with one equation per pair of opposite sides of a patch.
+/// Every arc is in at most two equations, each time with coefficient ±1, so this is a bidirected
+/// flow, apart from sums that are prescribed. Separation rows (SeparationRow.h) are added by the search.
 struct QuantisationProblem
 {
   std::vector<double> target; ///< ℓ_a, the target edge count of each arc.
   std::vector<double> weight; ///< w_a > 0.
   std::vector<int> lower;
   std::vector<std::vector<EquationTerm>> terms; ///< Per arc; two terms that cancel are left out.
-  /// Names of the equations, for messages. Those of patches have none; the others can be left out, and
-  /// several may share one.
-  std::vector<std::string> equations;
+  int equations = 0;
   std::vector<CountSum> sums;
 
   std::size_t Count() const { return this->target.size(); }
-  /// Adds the equation Σ n_a of some arcs = Σ n_a of other ones. Every arc may be in one other equation.
-  void AddEquation(
-    const std::vector<int>& first, const std::vector<int>& second, const std::string& name);
   /// Returns w_a |count − ℓ_a| of one arc.
   double Cost(std::size_t arc, int count) const;
   /// Returns the objective.
@@ -59,6 +53,11 @@ struct QuantisationProblem
 /// Makes the problem for target counts ℓ_a. w_a is half the sum of the widths of the two patches
 /// beside the arc, measured in target counts as well, so that the objective is a number of quads.
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<double> target);
+
+/// Returns the problem with the sums Σ ± n_a = 0 among its equations, as far as no arc is in three of them. These
+/// are the sums of paired sides: an arc of the boundary is in one equation of a patch. The problem is a flow
+/// if it has no other sums.
+QuantisationProblem WithSumsAsEquations(QuantisationProblem problem);
 
 /// Makes the problem for quads of edge length `size` in the map: ℓ_a = L_a / size.
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, double size);

@@ -74,7 +74,7 @@ void Relaxation::AddColumn(double cost, int upper)
 
 void Relaxation::AddEquations()
 {
-  std::vector<Terms> equations(this->Problem.equations.size());
+  std::vector<Terms> equations(Index(this->Problem.equations));
   for (const int arc : this->Free)
   {
     for (const EquationTerm& term : this->Problem.terms[Index(arc)])

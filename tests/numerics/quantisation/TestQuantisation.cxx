@@ -148,23 +148,27 @@ TEST(Quantisation, AgreesWithBruteForceForPairs)
     SCOPED_TRACE(trial);
     const TMesh& mesh = meshes[trial % 3];
     QuantisationProblem problem = MakeQuantisationProblem(mesh, random.Uniform(0.6, 1.4));
-    std::vector<int> sides[2];
+    CountSum pair;
+    pair.name = "The pair";
+    int sign = 0;
     for (std::size_t a = 0; a < mesh.arcs.size(); ++a)
     {
       const int side = random.Integer(0, 3);
       if (mesh.arcs[a].onBoundary && side < 2)
       {
-        sides[side].push_back(static_cast<int>(a));
+        pair.terms.emplace_back(static_cast<int>(a), 2 * side - 1);
+        sign += 2 * side - 1;
       }
     }
-    if (sides[0].empty() || sides[1].empty())
+    if (std::abs(sign) == static_cast<int>(pair.terms.size()))
     {
-      continue;
+      continue; // no arcs on one side
     }
     ++pairs;
     const EdgeCounts without = SolveBidirectedFlow(problem);
-    problem.AddEquation(sides[0], sides[1], "The pair");
-    const EdgeCounts flow = SolveBidirectedFlow(problem);
+    problem.sums = { pair };
+    EXPECT_TRUE(WithSumsAsEquations(problem).sums.empty());
+    const EdgeCounts flow = SolveBidirectedFlow(WithSumsAsEquations(problem));
     const int largest =
       2 + static_cast<int>(*std::max_element(problem.target.begin(), problem.target.end()));
     ASSERT_TRUE(problem.IsFeasible(flow.counts));
