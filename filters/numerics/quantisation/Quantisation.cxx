@@ -20,7 +20,7 @@ namespace crossfield
 namespace
 {
 /// Returns counts of at least one edge everywhere, and at least MinimumLoop around every loop, so that no
-/// points coincide. Returns nothing if the equations of paired sides or prescribed sums do not permit that.
+/// points coincide. Returns none if paired sides or prescribed sums do not permit that.
 std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
 {
   if (!problem.sums.empty())
@@ -177,25 +177,25 @@ private:
 };
 }
 
-EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& withSums, SearchEffort effort,
+EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort,
   const Progress& progress)
 {
   Stopwatch stopwatch;
-  const QuantisationProblem problem = WithSumsAsEquations(withSums);
-  EdgeCounts best = SolveBidirectedFlow(problem);
+  const QuantisationProblem flow = WithSumsAsEquations(problem);
+  EdgeCounts best = SolveBidirectedFlow(flow);
   best.nodes = 0; // only nodes of branch and cut are counted
-  if (!problem.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
+  if (!flow.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
   {
-    best.counts = CountAllArcs(mesh, problem);
+    best.counts = CountAllArcs(mesh, flow);
     if (best.counts.empty())
     {
-      best.counts = FeasibleCounts(mesh, withSums);
+      best.counts = FeasibleCounts(mesh, problem);
     }
-    best.cost = problem.Cost(best.counts);
+    best.cost = flow.Cost(best.counts);
   }
   if (best.cost > best.bound + CostRounding(best.bound))
   {
-    RoundSearch(mesh, problem, LimitsFor(problem, effort)).Run(best, progress);
+    RoundSearch(mesh, flow, LimitsFor(flow, effort)).Run(best, progress);
   }
   best.optimal = best.cost <= best.bound + CostRounding(best.bound);
   best.seconds = stopwatch.Lap();

@@ -15,7 +15,8 @@ struct EquationTerm
   int sign = 1;
 };
 
-/// A prescribed sum of edge counts, or the difference of those of paired sides: minimum ≤ Σ factor · n_a ≤ maximum.
+/// A prescribed sum of edge counts, or the difference of those of paired sides:
+/// minimum ≤ Σ factor · n_a ≤ maximum.
 struct CountSum
 {
   std::vector<std::pair<int, int>> terms; ///< Arc and factor; every arc at most once.
@@ -54,9 +55,9 @@ struct QuantisationProblem
 /// beside the arc, measured in target counts as well, so that the objective is a number of quads.
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<double> target);
 
-/// Returns the problem with the sums Σ ± n_a = 0 among its equations, as far as no arc is in three of them. These
-/// are the sums of paired sides: an arc of the boundary is in one equation of a patch. The problem is a flow
-/// if it has no other sums.
+/// Returns the problem with equations instead of sums Σ ± n_a = 0 whose arcs are in one equation each, as
+/// those of paired sides are: an arc of the boundary is in one equation of a patch. The problem is a flow
+/// if no sums are left.
 QuantisationProblem WithSumsAsEquations(QuantisationProblem problem);
 
 /// Makes the problem for quads of edge length `size` in the map: ℓ_a = L_a / size.
