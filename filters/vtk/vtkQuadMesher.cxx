@@ -162,7 +162,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   QuadConversion::WriteBoundary(
     mesh, result.boundary, plane, vtkPolyData::GetData(outputVector, BoundaryPort));
   PeriodicConversion::Write(
-    result, plane, vtkPolyData::GetData(outputVector, BoundaryPort)->GetFieldData());
+    mesh, plane, vtkPolyData::GetData(outputVector, BoundaryPort)->GetFieldData());
   QuadConversion::WriteIrregularNodes(mesh, plane, vtkPolyData::GetData(outputVector, 6));
   QuadConversion::WriteSeparatrices(result.quads, plane, vtkPolyData::GetData(outputVector, 7));
   this->WriteSummary(result, plane, vtkTable::GetData(outputVector, SummaryPort));
@@ -186,7 +186,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   QuadReport::WriteBlockCounts(result.blocks, report);
   QuadReport::WriteLayers(result.layers, report);
   QuadReport::WriteCurves(result, report);
-  PeriodicConversion::WriteReport(result, plane, report);
+  PeriodicConversion::WriteReport(result.quads.mesh, plane, report);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, report);

@@ -125,6 +125,11 @@ class Sides(ProgramTest):
             self.assertIn(reason, self.refuse("quads", "passage.vtp", "-o", "q.vtu", "--periodic", pair))
         self.assertIn("is in two periodic pairs", self.refuse(
             "quads", "passage.vtp", "-o", "q.vtu", "--periodic", "low:high", "--periodic", "inlet:low"))
+        # strips of quads lead from a to both b and the side above it
+        step = [(0, 0, "low"), (3, 0, "b"), (3, 2, "step"), (1.5, 1.5, "above"), (1.5, 2.5, "high"), (0, 2, "a")]
+        write_domain(self.folder / "step.vtp", [step])
+        self.assertIn("The periodic pair a:b fits no mesh of these singularities; leave it out.",
+                      self.refuse("quads", "step.vtp", "-o", "q.vtu", "--periodic", "a:b"))
         self.assertIn("have different numbers", self.refuse(
             "quads", "passage.vtp", "-o", "q.vtu", "--periodic", "low:high", "--count", "low:20", "--count", "high:22"))
 

@@ -179,7 +179,7 @@ private:
   Offsets OffsetsOfImage(const StraightEdge& edge, const StraightEdge& master)
   {
     const auto found = std::find_if(this->Straight.periodic.begin(), this->Straight.periodic.end(),
-      [&](const PeriodicSides& pair) { return pair.second == edge.side; });
+      [&](const PairedSides& pair) { return pair.second == edge.side; });
     const std::vector<Point> nodes = this->Exact.at({ master.points[0], master.points[1] });
     std::vector<Point>& images = this->Exact[{ edge.points[0], edge.points[1] }];
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)

@@ -2,79 +2,64 @@
 
 #include "Error.h"
 #include "Index.h"
+#include "NodeImages.h"
 
-#include <algorithm>
+#include <array>
 #include <map>
-#include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Images of periodic points in files with 12 digits or more are within this part of the extent.
-constexpr double Tolerance = 1e-9;
-
-/// Edges by the coordinate of their end along a direction that usual meshes do not have.
-using EdgesByKey = std::multimap<double, int>;
-
-double KeyOf(const Point& place)
+/// Returns the ends of the edges of a side: starts and ends in turn.
+std::vector<int> EndsOf(const StraightQuads& quads, int side)
 {
-  return place.dot(Point(0.7413, 0.6712));
-}
-
-double ExtentOf(const StraightQuads& quads)
-{
-  Point low = quads.points.front();
-  Point high = low;
-  for (const Point& point : quads.points)
+  std::vector<int> ends;
+  for (const StraightEdge& edge : quads.edges)
   {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
+    if (edge.side == side)
+    {
+      ends.insert(ends.end(), edge.points.begin(), edge.points.end());
+    }
   }
-  return (high - low).norm();
+  return ends;
 }
 }
 
 std::vector<int> MatchEdges(const StraightQuads& quads)
 {
   std::vector<int> masters(quads.edges.size(), -1);
-  const auto start = [&](std::size_t edge) -> const Point&
-  { return quads.points[Index(quads.edges[edge].points[0])]; };
-  const auto end = [&](std::size_t edge) -> const Point&
-  { return quads.points[Index(quads.edges[edge].points[1])]; };
-  for (const PeriodicSides& pair : quads.periodic)
+  if (quads.periodic.empty())
   {
-    const double reach = Tolerance * ExtentOf(quads);
-    EdgesByKey images;
-    for (std::size_t e = 0; e < quads.edges.size(); ++e)
+    return masters;
+  }
+  std::vector<Eigen::Vector3d> points;
+  for (const Point& point : quads.points)
+  {
+    points.emplace_back(point.x(), point.y(), 0.0);
+  }
+  std::map<std::array<int, 2>, std::size_t> edgeOf; // by its ends
+  for (std::size_t e = 0; e < quads.edges.size(); ++e)
+  {
+    edgeOf[quads.edges[e].points] = e;
+  }
+  for (const PairedSides& pair : quads.periodic)
+  {
+    Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
+    motion.topLeftCorner<2, 2>() = pair.motion.Rotation();
+    motion.block<2, 1>(0, 3) = pair.motion.shift;
+    const std::vector<int> ends = EndsOf(quads, pair.first);
+    const std::vector<int> images = FindImages(points, motion, ends, EndsOf(quads, pair.second));
+    for (std::size_t i = 0; i < ends.size(); i += 2)
     {
-      if (quads.edges[e].side == pair.second)
+      const auto image = edgeOf.find({ images[i + 1], images[i] });
+      if (image == edgeOf.end() || quads.edges[image->second].side != pair.second)
       {
-        images.emplace(KeyOf(end(e)), static_cast<int>(e));
-      }
-    }
-    for (std::size_t e = 0; e < quads.edges.size(); ++e)
-    {
-      if (quads.edges[e].side != pair.first)
-      {
-        continue;
-      }
-      const Point from = pair.motion(start(e));
-      const Point to = pair.motion(end(e));
-      const auto found = std::find_if(images.lower_bound(KeyOf(from) - reach),
-        images.upper_bound(KeyOf(from) + reach),
-        [&](const auto& image)
-        {
-          return (end(Index(image.second)) - from).norm() <= reach &&
-            (start(Index(image.second)) - to).norm() <= reach;
-        });
-      if (found == images.upper_bound(KeyOf(from) + reach))
-      {
-        throw Error("The periodic edge near " + Describe(start(e)) +
+        throw Error("The periodic edge near " + Describe(quads.points[Index(ends[i])]) +
           " has no image on the other side; make the quads again, or remove the field data "
           "PeriodicSides.");
       }
-      masters[Index(found->second)] = static_cast<int>(e);
+      masters[image->second] = static_cast<int>(edgeOf.at({ ends[i], ends[i + 1] }));
     }
   }
   return masters;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PeriodicSides.h"
+#include "PairedSides.h"
 #include "PlaneCurve.h"
 
 #include <array>
@@ -23,6 +23,6 @@ struct StraightQuads
   std::vector<std::array<int, 4>> quads; ///< Counter-clockwise.
   std::vector<StraightEdge> edges;
   std::vector<PlaneCurve> curves;
-  std::vector<PeriodicSides> periodic; ///< Sides whose nodes match.
+  std::vector<PairedSides> periodic; ///< Sides whose nodes match.
 };
 }

@@ -3,20 +3,15 @@
 #include "CellLattice.h"
 #include "Error.h"
 #include "Index.h"
+#include "NodeImages.h"
 #include "SideFaces.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
 #include <set>
 
 namespace crossfield
 {
 namespace
 {
-/// Images of periodic points in files with 12 digits or more are within this part of the extent.
-constexpr double Tolerance = 1e-9;
-
 std::vector<int> PointsOf(const ExportMesh& mesh, const std::vector<SideFace>& faces)
 {
   const CellLattice lattice(mesh.dimension, mesh.order);
@@ -30,51 +25,6 @@ std::vector<int> PointsOf(const ExportMesh& mesh, const std::vector<SideFace>& f
   }
   return { points.begin(), points.end() };
 }
-
-/// Points sorted along a direction, so that a search compares few of them.
-class SortedPoints
-{
-public:
-  SortedPoints(const ExportMesh& mesh, const std::vector<int>& points)
-    : Mesh(mesh)
-  {
-    for (const int point : points)
-    {
-      this->Sorted.emplace_back(KeyOf(mesh.points[Index(point)]), point);
-    }
-    std::sort(this->Sorted.begin(), this->Sorted.end());
-  }
-
-  /// Returns the nearest point within a distance, −1 if there is none.
-  int Find(const Eigen::Vector3d& place, double reach) const
-  {
-    int nearest = -1;
-    double distance = reach;
-    const double key = KeyOf(place);
-    for (auto at =
-           std::lower_bound(this->Sorted.begin(), this->Sorted.end(), std::pair(key - reach, -1));
-         at != this->Sorted.end() && at->first <= key + reach; ++at)
-    {
-      const double next = (this->Mesh.points[Index(at->second)] - place).norm();
-      if (next <= distance)
-      {
-        distance = next;
-        nearest = at->second;
-      }
-    }
-    return nearest;
-  }
-
-private:
-  /// Coordinate along a unit vector that is not parallel to the lines of usual meshes.
-  static double KeyOf(const Eigen::Vector3d& place)
-  {
-    return place.dot(Eigen::Vector3d(0.6113, 0.5527, 0.5666).normalized());
-  }
-
-  const ExportMesh& Mesh;
-  std::vector<std::pair<double, int>> Sorted;
-};
 }
 
 std::vector<std::array<int, 2>> PeriodicNodes(const ExportMesh& mesh, const PeriodicPair& pair)
@@ -82,25 +32,15 @@ std::vector<std::array<int, 2>> PeriodicNodes(const ExportMesh& mesh, const Peri
   const SideFaces faces = FindSideFaces(mesh);
   const std::vector<int> from = PointsOf(mesh, faces.ofSide[Index(pair.first)]);
   const std::vector<int> to = PointsOf(mesh, faces.ofSide[Index(pair.second)]);
-  Eigen::Vector3d low = mesh.points.front();
-  Eigen::Vector3d high = low;
-  for (const Eigen::Vector3d& point : mesh.points)
-  {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const double reach = Tolerance * (high - low).norm();
-  const SortedPoints sorted(mesh, to);
-  const Eigen::Affine3d motion(pair.motion);
+  const std::vector<int> found = FindImages(mesh.points, pair.motion, from, to);
   std::vector<std::array<int, 2>> nodes;
   std::set<int> images;
-  for (const int point : from)
+  for (std::size_t i = 0; i < from.size(); ++i)
   {
-    const int image = sorted.Find(motion * mesh.points[Index(point)], reach);
-    if (image >= 0)
+    if (found[i] >= 0)
     {
-      nodes.push_back({ point, image });
-      images.insert(image);
+      nodes.push_back({ from[i], found[i] });
+      images.insert(found[i]);
     }
   }
   if (nodes.size() != from.size() || images.size() != to.size())

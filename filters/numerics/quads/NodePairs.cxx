@@ -13,7 +13,7 @@ namespace
 {
 /// Distance up to which two points are the same end of periodic sides, relative to their loop: ten
 /// times that of the sides.
-constexpr double SamePlace = 10.0 * PeriodicReach;
+constexpr double SamePlace = 10.0 * PairReach;
 
 /// Moves a point along the boundary to the position halfway to the one nearest to `place`.
 void MoveHalfway(const BoundaryCurves& curves, const Point& place, QuadPoint& point)
@@ -46,22 +46,21 @@ void MatchPair(
 
 void FindPairs(QuadMesh& mesh)
 {
-  for (PeriodicPoints& points : mesh.periodic)
+  for (PairedSides& pair : mesh.periodic)
   {
-    const std::vector<int> first = PiecesOf(mesh, points.sides.first).front();
-    const std::vector<int> second = PiecesOf(mesh, points.sides.second).front();
+    const std::vector<int> first = PiecesOf(mesh, pair.first).front();
+    const std::vector<int> second = PiecesOf(mesh, pair.second).front();
     if (first.size() != second.size())
     {
-      throw Error("With the layers, the periodic sides '" +
-        mesh.sideNames[Index(points.sides.first)] + "' and '" +
-        mesh.sideNames[Index(points.sides.second)] + "' have " + std::to_string(first.size() - 1) +
-        " and " + std::to_string(second.size() - 1) +
+      throw Error("With the layers, the periodic sides '" + mesh.sideNames[Index(pair.first)] +
+        "' and '" + mesh.sideNames[Index(pair.second)] + "' have " +
+        std::to_string(first.size() - 1) + " and " + std::to_string(second.size() - 1) +
         " edges; give equal numbers of rows to the layers that end on them, or leave the pair out.");
     }
-    points.pairs.clear();
+    pair.nodes.clear();
     for (std::size_t i = 0; i < first.size(); ++i)
     {
-      points.pairs.push_back({ first[i], second[second.size() - 1 - i] });
+      pair.nodes.push_back({ first[i], second[second.size() - 1 - i] });
     }
   }
 }
@@ -71,26 +70,25 @@ void MatchPairs(const BoundaryCurves& curves, QuadMesh& mesh)
   // Twice, because a corner may belong to two pairs.
   for (int round = 0; round < 2; ++round)
   {
-    for (const PeriodicPoints& points : mesh.periodic)
+    for (const PairedSides& pair : mesh.periodic)
     {
-      for (const auto& [first, second] : points.pairs)
+      for (const auto& [first, second] : pair.nodes)
       {
         if (first != second)
         {
-          MatchPair(
-            curves, points.sides.motion, mesh.points[Index(first)], mesh.points[Index(second)]);
+          MatchPair(curves, pair.motion, mesh.points[Index(first)], mesh.points[Index(second)]);
         }
       }
     }
   }
 }
 
-double LargestMismatch(const PeriodicPoints& points, const QuadMesh& mesh)
+double LargestMismatch(const PairedSides& pair, const QuadMesh& mesh)
 {
   double largest = 0.0;
-  for (const auto& [first, second] : points.pairs)
+  for (const auto& [first, second] : pair.nodes)
   {
-    const Point image = points.sides.motion(mesh.points[Index(first)].place);
+    const Point image = pair.motion(mesh.points[Index(first)].place);
     largest = std::max(largest, (image - mesh.points[Index(second)].place).norm());
   }
   return largest;
@@ -99,18 +97,18 @@ double LargestMismatch(const PeriodicPoints& points, const QuadMesh& mesh)
 double LargestMismatch(const QuadMesh& mesh)
 {
   double largest = 0.0;
-  for (const PeriodicPoints& points : mesh.periodic)
+  for (const PairedSides& pair : mesh.periodic)
   {
-    largest = std::max(largest, LargestMismatch(points, mesh));
+    largest = std::max(largest, LargestMismatch(pair, mesh));
   }
   return largest;
 }
 
 void MovePairsTogether(const QuadMesh& mesh, std::vector<bool>& moves)
 {
-  for (const PeriodicPoints& points : mesh.periodic)
+  for (const PairedSides& pair : mesh.periodic)
   {
-    for (const auto& [first, second] : points.pairs)
+    for (const auto& [first, second] : pair.nodes)
     {
       moves[Index(first)] = moves[Index(second)] = moves[Index(first)] && moves[Index(second)];
     }
@@ -120,17 +118,17 @@ void MovePairsTogether(const QuadMesh& mesh, std::vector<bool>& moves)
 std::vector<int> CopyPairs(const QuadMesh& mesh, const std::vector<int>& number, QuadMesh& part)
 {
   std::vector<int> singles;
-  for (const PeriodicPoints& points : mesh.periodic)
+  for (const PairedSides& pair : mesh.periodic)
   {
-    PeriodicPoints copied;
-    copied.sides = points.sides;
-    for (const auto& [first, second] : points.pairs)
+    PairedSides copied = pair;
+    copied.nodes.clear();
+    for (const auto& [first, second] : pair.nodes)
     {
       const int a = number[Index(first)];
       const int b = number[Index(second)];
       if (a >= 0 && b >= 0)
       {
-        copied.pairs.push_back({ a, b });
+        copied.nodes.push_back({ a, b });
       }
       else if (a >= 0 || b >= 0)
       {

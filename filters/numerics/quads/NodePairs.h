@@ -13,7 +13,7 @@ void FindPairs(QuadMesh& mesh);
 void MatchPairs(const BoundaryCurves& curves, QuadMesh& mesh);
 
 /// Returns the largest distance of a point from the image of its partner.
-double LargestMismatch(const PeriodicPoints& points, const QuadMesh& mesh);
+double LargestMismatch(const PairedSides& pair, const QuadMesh& mesh);
 double LargestMismatch(const QuadMesh& mesh);
 
 /// Lets both points of a pair move only if both may.

@@ -97,10 +97,10 @@ QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
 
 void QuadEnergy::FindImages(const std::vector<bool>& moves)
 {
-  for (const PeriodicPoints& points : this->Mesh.periodic)
+  for (const PairedSides& pair : this->Mesh.periodic)
   {
-    const RigidMotion& motion = points.sides.motion;
-    for (const auto& [first, second] : points.pairs)
+    const RigidMotion& motion = pair.motion;
+    for (const auto& [first, second] : pair.nodes)
     {
       if (moves[Index(first)] && moves[Index(second)] && first != second)
       {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "BoundaryCurves.h"
-#include "PeriodicSides.h"
+#include "PairedSides.h"
 
 #include <array>
 #include <string>
@@ -35,13 +35,6 @@ struct QuadBoundaryEdge
   int curve = -1; ///< Index in CurvedBoundary::curves, −1 if the edge is on a polyline.
 };
 
-/// The points of two periodic sides.
-struct PeriodicPoints
-{
-  PeriodicSides sides;
-  std::vector<std::array<int, 2>> pairs; ///< A point of the first side, and its image.
-};
-
 /// An all-quad mesh. Quads are counter-clockwise.
 struct QuadMesh
 {
@@ -52,7 +45,7 @@ struct QuadMesh
   std::vector<int> patch;                 ///< Patch of the T-mesh, per quad.
   std::vector<QuadBoundaryEdge> boundary; ///< Edge after edge along every loop.
   std::vector<std::string> sideNames;     ///< Names of the sides of the boundary.
-  std::vector<PeriodicPoints> periodic;   ///< Pairs of points that move together.
+  std::vector<PairedSides> periodic;      ///< Sides whose paired points move together.
 
   /// Returns for every side the opposite side of the same edge, −1 on the boundary. Side s of quad
   /// q has number 4 q + s and leads from corner s to corner s + 1 with the quad on its left. Throws

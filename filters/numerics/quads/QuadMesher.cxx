@@ -10,7 +10,7 @@
 #include "MemoryBudget.h"
 #include "MoveInside.h"
 #include "NodePairs.h"
-#include "PeriodicCounts.h"
+#include "PairedArcs.h"
 #include "PrescribedSides.h"
 #include "QuadBuilder.h"
 #include "QuadSides.h"
@@ -174,7 +174,7 @@ private:
   static std::vector<CountSum> SumsOf(const SeamlessMap& map, const BoundaryCurves& curves,
     const QuadOptions& options, const TMesh& tMesh)
   {
-    std::vector<CountSum> sums = PeriodicSums(map, curves, options.sides, options.periodic, tMesh);
+    std::vector<CountSum> sums = PairSums(map, curves, options.sides, options.periodic, tMesh);
     for (CountSum& sum : PrescribedSums(map, curves, options.sides, options.prescribed, tMesh))
     {
       sums.push_back(std::move(sum));
@@ -189,10 +189,7 @@ private:
     {
       return;
     }
-    for (const PeriodicSides& sides : this->Options.periodic)
-    {
-      mesh.periodic.push_back({ sides, {} });
-    }
+    mesh.periodic = this->Options.periodic;
     const std::vector<QuadPoint> before = mesh.points;
     FindPairs(mesh);
     MatchPairs(this->Curves, mesh);
@@ -414,7 +411,7 @@ QuadResult MakeQuads(
   result.tMesh = std::move(tMesh);
   const BoundaryCurves curves(*RequirePlanar(map.topology), options.curves);
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
-  SplitAtPeriodic(map, curves, options.sides, options.periodic, result.tMesh);
+  SplitAtPairs(map, curves, options.sides, options.periodic, result.tMesh);
   Mesher mesher(map, curves, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);

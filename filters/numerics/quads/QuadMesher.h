@@ -25,10 +25,10 @@ struct QuadOptions
   /// Weight of sizes against shapes in smoothing, between 0 and 1; not used with Sizing::Conformal
   /// unless a side is graded.
   double sizePart = 0.5;
-  BoundarySides sides;                 ///< Sides of the boundary; none: it has no names.
-  CurvedBoundary curves;               ///< Curves that the boundary nodes are placed on.
-  SidePrescriptions prescribed;        ///< Counts, progressions and sizes of sides.
-  std::vector<PeriodicSides> periodic; ///< Sides whose nodes match.
+  BoundarySides sides;               ///< Sides of the boundary; none: it has no names.
+  CurvedBoundary curves;             ///< Curves that the boundary nodes are placed on.
+  SidePrescriptions prescribed;      ///< Counts, progressions and sizes of sides.
+  std::vector<PairedSides> periodic; ///< Sides whose nodes match.
   bool smooth = true; ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;

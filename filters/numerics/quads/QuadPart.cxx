@@ -21,9 +21,9 @@ std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
   {
     ringOf[p] = mesh.points[p].quarterIndex != 0 ? 0 : rings;
   }
-  for (const PeriodicPoints& points : mesh.periodic)
+  for (const PairedSides& pair : mesh.periodic)
   {
-    for (const auto& [first, second] : points.pairs)
+    for (const auto& [first, second] : pair.nodes)
     {
       ringOf[Index(first)] = ringOf[Index(second)] = 0;
     }

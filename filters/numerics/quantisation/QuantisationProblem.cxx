@@ -1,8 +1,11 @@
 #include "QuantisationProblem.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace crossfield
@@ -12,7 +15,7 @@ bool CountSum::Holds(const std::vector<int>& counts) const
   int sum = 0;
   for (const auto& [arc, factor] : this->terms)
   {
-    sum += factor * counts[static_cast<std::size_t>(arc)];
+    sum += factor * counts[Index(arc)];
   }
   return sum >= this->minimum && sum <= this->maximum;
 }
@@ -49,7 +52,7 @@ bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
     }
     for (const EquationTerm& term : this->terms[a])
     {
-      totals[static_cast<std::size_t>(term.equation)] += term.sign * counts[a];
+      totals[Index(term.equation)] += term.sign * counts[a];
     }
   }
   return this->HoldsSums(counts) &&
@@ -70,7 +73,7 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
     {
       for (const int half : patch.sides[side])
       {
-        lengths[side] += problem.target[static_cast<std::size_t>(half / 2)];
+        lengths[side] += problem.target[Index(half / 2)];
       }
     }
     for (std::size_t side = 0; side < 4; ++side)
@@ -80,7 +83,7 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
         side < 2 ? 1 : -1 };
       for (const int half : patch.sides[side])
       {
-        const auto arc = static_cast<std::size_t>(half / 2);
+        const auto arc = Index(half / 2);
         problem.weight[arc] += 0.5 * width;
         std::vector<EquationTerm>& terms = problem.terms[arc];
         if (terms.size() == 1 && terms[0].equation == term.equation && terms[0].sign == -term.sign)
@@ -102,6 +105,33 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
   {
     weight = std::max(weight, MinimumWeight);
   }
+  return problem;
+}
+
+QuantisationProblem WithSumsAsEquations(QuantisationProblem problem)
+{
+  const auto isEquation = [&problem](const CountSum& sum)
+  {
+    return sum.minimum == 0 && sum.maximum == 0 &&
+      std::all_of(sum.terms.begin(), sum.terms.end(),
+        [&problem](const std::pair<int, int>& term)
+        { return std::abs(term.second) == 1 && problem.terms[Index(term.first)].size() < 2; });
+  };
+  std::vector<CountSum> others;
+  for (CountSum& sum : problem.sums)
+  {
+    if (!isEquation(sum))
+    {
+      others.push_back(std::move(sum));
+      continue;
+    }
+    for (const auto& [arc, sign] : sum.terms)
+    {
+      problem.terms[Index(arc)].push_back({ problem.equations, sign });
+    }
+    ++problem.equations;
+  }
+  problem.sums = std::move(others);
   return problem;
 }
 

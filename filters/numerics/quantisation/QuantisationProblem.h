@@ -15,7 +15,8 @@ struct EquationTerm
   int sign = 1;
 };
 
-/// A prescribed sum of edge counts: minimum ≤ Σ factor · n_a ≤ maximum.
+/// A prescribed sum of edge counts, or the difference of those of paired sides:
+/// minimum ≤ Σ factor · n_a ≤ maximum.
 struct CountSum
 {
   std::vector<std::pair<int, int>> terms; ///< Arc and factor; every arc at most once.
@@ -29,7 +30,7 @@ struct CountSum
 /// The integer program for the edge counts of a T-mesh (docs/method.md §14.1): minimise Σ w_a |n_a
 /// − ℓ_a| over integers n_a ≥ lower_a, with one equation per pair of opposite sides of a patch.
 /// Every arc is in at most two equations, each time with coefficient ±1, so this is a bidirected
-/// flow, apart from prescribed sums. Separation rows (SeparationRow.h) are added by the search.
+/// flow, apart from sums that are prescribed. Separation rows (SeparationRow.h) are added by the search.
 struct QuantisationProblem
 {
   std::vector<double> target; ///< ℓ_a, the target edge count of each arc.
@@ -53,6 +54,11 @@ struct QuantisationProblem
 /// Makes the problem for target counts ℓ_a. w_a is half the sum of the widths of the two patches
 /// beside the arc, measured in target counts as well, so that the objective is a number of quads.
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<double> target);
+
+/// Returns the problem with equations instead of sums Σ ± n_a = 0 whose arcs are in one equation each, as
+/// those of paired sides are: an arc of the boundary is in one equation of a patch. The problem is a flow
+/// if no sums are left.
+QuantisationProblem WithSumsAsEquations(QuantisationProblem problem);
 
 /// Makes the problem for quads of edge length `size` in the map: ℓ_a = L_a / size.
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, double size);

@@ -225,7 +225,8 @@ bool Relaxation::AddCuts()
 
 void Relaxation::TightenBounds()
 {
-  const double slack = this->Solver->GetCutoff() - this->GetCost();
+  // An optimum that has just become the best solution is above the cutoff by rounding.
+  const double slack = std::max(0.0, this->Solver->GetCutoff() - this->GetCost());
   for (ColumnBounds& bounds : this->RootBounds)
   {
     const double reduced = std::abs(this->Solver->GetReducedCost(bounds.column));

@@ -140,7 +140,7 @@ std::vector<std::array<Point, 2>> EndsOfPeriodicSides(
     return ends;
   }
   const std::vector<LoopArc> loops(domain.loops.begin(), domain.loops.end());
-  for (const PeriodicSides& pair : request.periodic)
+  for (const PairedSides& pair : request.periodic)
   {
     const SideSpan first = FindSpan(request.sides, loops, pair.first);
     const SideSpan second = FindSpan(request.sides, loops, pair.second);

@@ -2,7 +2,6 @@
 
 #include "Error.h"
 #include "LayerSteps.h"
-#include "NodePairs.h"
 
 #include <algorithm>
 #include <utility>
@@ -70,26 +69,12 @@ QuadRequest WithPeriodicSides(const PlanarDomain& domain, const QuadRequest& req
     return result;
   }
   result.sides = SidesOf(domain, request);
-  result.periodic = FindPeriodicSides(domain, result.sides, request.curves, request.periodicNames);
-  for (const PeriodicSides& pair : result.periodic)
+  result.periodic = FindPairedSides(domain, result.sides, request.curves, request.periodicNames);
+  for (const PairedSides& pair : result.periodic)
   {
     CopyPrescription(result.sides, pair.first, pair.second, result.prescribed);
     CopyPrescription(result.sides, pair.second, pair.first, result.prescribed);
   }
   return result;
-}
-
-std::vector<PeriodicReport> MeasurePeriodic(const QuadMesh& mesh)
-{
-  std::vector<PeriodicReport> reports;
-  for (const PeriodicPoints& points : mesh.periodic)
-  {
-    PeriodicReport report;
-    report.sides = points.sides;
-    report.edges = static_cast<int>(points.pairs.size()) - 1;
-    report.mismatch = LargestMismatch(points, mesh);
-    reports.push_back(report);
-  }
-  return reports;
 }
 }

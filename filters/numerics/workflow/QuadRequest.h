@@ -6,7 +6,7 @@
 #include "BoundarySides.h"
 #include "CornerRows.h"
 #include "HolonomyRepair.h"
-#include "PeriodicSides.h"
+#include "PairedSides.h"
 #include "PrescribedSizes.h"
 #include "QuadMesher.h"
 #include "SeamlessMapSolve.h"
@@ -32,8 +32,9 @@ struct QuadRequest
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
   BoundarySides sides;          ///< Sides of the boundary; if it has no names, those of NameSides.
   SidePrescriptions prescribed; ///< Counts, progressions and sizes of these sides.
-  std::vector<PeriodicNames> periodicNames; ///< Pairs of sides whose nodes shall match.
-  std::vector<PeriodicSides> periodic; ///< Set by MakeQuadMesh from the names (WithPeriodicSides).
+  /// Names of pairs of sides whose nodes shall match.
+  std::vector<std::array<std::string, 2>> periodicNames;
+  std::vector<PairedSides> periodic; ///< Set by MakeQuadMesh from the names (WithPeriodicSides).
   CurveRequest requestedCurves; ///< Curves declared for sides, and whether arcs are recognised.
   CurvesOfSegments givenCurves; ///< Curves of the segments of the domain.
   CurvedBoundary curves;        ///< Set by MakeQuadMesh from the two above (WithCurves).
@@ -78,14 +79,6 @@ struct CurveReport
   double moved = 0.0;     ///< Largest distance of their nodes from the polyline that was given.
 };
 
-/// Periodic sides of a mesh.
-struct PeriodicReport
-{
-  PeriodicSides sides;   ///< With indices in QuadMesh::sideNames.
-  int edges = 0;         ///< Of each side.
-  double mismatch = 0.0; ///< Largest distance of a node from the image of its partner.
-};
-
 /// Numbers of blocks with each kind of merging, as far as they were computed.
 struct BlockCounts
 {
@@ -127,10 +120,9 @@ struct QuadWorkflowResult
   /// valence 2, stretched, inverted or nearly degenerate quads. One sentence each.
   std::vector<std::string> warnings;
   QuadResult quads;
-  std::vector<LayerReport> layers;      ///< One for each layer of the request.
-  std::vector<PeriodicReport> periodic; ///< One for each pair of the request.
-  CurvedBoundary boundary;              ///< The curves that boundary nodes are on.
-  std::vector<CurveReport> curves;      ///< One for each of these curves.
+  std::vector<LayerReport> layers; ///< One for each layer of the request.
+  CurvedBoundary boundary;         ///< The curves that boundary nodes are on.
+  std::vector<CurveReport> curves; ///< One for each of these curves.
   BlockCounts blocks;
   QuadSeconds seconds;
 };

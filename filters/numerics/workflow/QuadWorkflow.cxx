@@ -88,7 +88,6 @@ QuadWorkflowResult MakeQuadMesh(
   AddWarnings(given, result);
   result.ambiguousCorners =
     CountAmbiguous(CountQuarters(domain.loops, 0, DefaultCornerAngle, request.corners));
-  result.periodic = MeasurePeriodic(result.quads.mesh);
   result.boundary = given.curves;
   result.curves = MeasureCurves(polygons, given.curves, result.quads.mesh);
   return result;

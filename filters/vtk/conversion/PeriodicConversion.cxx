@@ -3,6 +3,7 @@
 #include "ColumnWriting.h"
 #include "EntryText.h"
 #include "Error.h"
+#include "NodePairs.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataArray.h"
@@ -18,7 +19,7 @@ namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
-using crossfield::PeriodicReport;
+using crossfield::PairedSides;
 
 /** Returns a motion of a plane as one of space that leaves the normal of the plane as it is. */
 Eigen::Matrix4d InSpace(const crossfield::RigidMotion& motion, const crossfield::DomainPlane& plane)
@@ -88,10 +89,10 @@ std::vector<crossfield::PeriodicPair> Read(
 }
 
 //------------------------------------------------------------------------------
-std::vector<crossfield::PeriodicSides> ReadInPlane(vtkFieldData* data,
+std::vector<crossfield::PairedSides> ReadInPlane(vtkFieldData* data,
   const std::vector<std::string>& sideNames, const crossfield::DomainPlane& plane)
 {
-  std::vector<crossfield::PeriodicSides> sides;
+  std::vector<crossfield::PairedSides> sides;
   for (const crossfield::PeriodicPair& pair : Read(data, sideNames))
   {
     const Eigen::Affine3d motion(pair.motion);
@@ -99,15 +100,15 @@ std::vector<crossfield::PeriodicSides> ReadInPlane(vtkFieldData* data,
     { return plane.ToPlane(motion * plane.ToSpace(point)); };
     const crossfield::Point origin = image(crossfield::Point::Zero());
     const crossfield::Point along = image(crossfield::Point::UnitX()) - origin;
-    sides.push_back({ pair.first, pair.second, { std::atan2(along.y(), along.x()), origin } });
+    sides.push_back({ pair.first, pair.second, { std::atan2(along.y(), along.x()), origin }, {} });
   }
   return sides;
 }
 
 //------------------------------------------------------------------------------
-std::vector<crossfield::PeriodicNames> ReadNames(const std::string& text)
+std::vector<std::array<std::string, 2>> ReadNames(const std::string& text)
 {
-  std::vector<crossfield::PeriodicNames> pairs;
+  std::vector<std::array<std::string, 2>> pairs;
   for (const std::string& entry : EntryText::Split(text, ';'))
   {
     if (entry.empty())
@@ -126,26 +127,26 @@ std::vector<crossfield::PeriodicNames> ReadNames(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void Write(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
-  vtkFieldData* data)
+void Write(
+  const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkFieldData* data)
 {
   data->RemoveArray(names::PeriodicSides);
   data->RemoveArray(names::PeriodicMotion);
-  if (result.periodic.empty())
+  if (mesh.periodic.empty())
   {
     return;
   }
   vtkNew<vtkStringArray> sides;
   sides->SetName(names::PeriodicSides);
   sides->SetNumberOfComponents(2);
-  const auto pairs = static_cast<vtkIdType>(result.periodic.size());
+  const auto pairs = static_cast<vtkIdType>(mesh.periodic.size());
   auto motions = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicMotion, 16, pairs);
   for (vtkIdType i = 0; i < pairs; ++i)
   {
-    const crossfield::PeriodicSides& pair = result.periodic[static_cast<std::size_t>(i)].sides;
+    const PairedSides& pair = mesh.periodic[static_cast<std::size_t>(i)];
     for (const int side : { pair.first, pair.second })
     {
-      sides->InsertNextValue(result.quads.mesh.sideNames[static_cast<std::size_t>(side)]);
+      sides->InsertNextValue(mesh.sideNames[static_cast<std::size_t>(side)]);
     }
     const Eigen::Matrix4d matrix = InSpace(pair.motion, plane);
     for (int k = 0; k < 16; ++k)
@@ -157,36 +158,36 @@ void Write(const crossfield::QuadWorkflowResult& result, const crossfield::Domai
 }
 
 //------------------------------------------------------------------------------
-void WriteReport(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
-  vtkFieldData* data)
+void WriteReport(
+  const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkFieldData* data)
 {
-  Write(result, plane, data);
-  if (result.periodic.empty())
+  Write(mesh, plane, data);
+  if (mesh.periodic.empty())
   {
     return;
   }
-  const auto isRotation = [](const PeriodicReport& pair) { return pair.sides.motion.angle != 0.0; };
-  ColumnWriting::AddColumn<vtkStringArray>(data, names::PeriodicKind, result.periodic,
-    [&](const PeriodicReport& pair) { return isRotation(pair) ? "rotation" : "translation"; });
-  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::PeriodicAngle, result.periodic,
-    [](const PeriodicReport& pair) { return pair.sides.motion.angle; });
-  ColumnWriting::AddColumn<vtkIntArray>(data, names::PeriodicEdges, result.periodic,
-    [](const PeriodicReport& pair) { return pair.edges; });
-  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::PeriodicMismatch, result.periodic,
-    [](const PeriodicReport& pair) { return pair.mismatch; });
-  const auto pairs = static_cast<vtkIdType>(result.periodic.size());
+  const auto isRotation = [](const PairedSides& pair) { return pair.motion.angle != 0.0; };
+  ColumnWriting::AddColumn<vtkStringArray>(data, names::PeriodicKind, mesh.periodic,
+    [&](const PairedSides& pair) { return isRotation(pair) ? "rotation" : "translation"; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::PeriodicAngle, mesh.periodic,
+    [](const PairedSides& pair) { return pair.motion.angle; });
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::PeriodicEdges, mesh.periodic,
+    [](const PairedSides& pair) { return static_cast<int>(pair.nodes.size()) - 1; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::PeriodicMismatch, mesh.periodic,
+    [&](const PairedSides& pair) { return LargestMismatch(pair, mesh); });
+  const auto pairs = static_cast<vtkIdType>(mesh.periodic.size());
   auto vectors = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicVector, 3, pairs);
   auto centres = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicCentre, 3, pairs);
   for (vtkIdType i = 0; i < pairs; ++i)
   {
-    const PeriodicReport& pair = result.periodic[static_cast<std::size_t>(i)];
+    const PairedSides& pair = mesh.periodic[static_cast<std::size_t>(i)];
     if (isRotation(pair))
     {
-      centres->SetTuple(i, plane.ToSpace(pair.sides.motion.Centre()).data());
+      centres->SetTuple(i, plane.ToSpace(pair.motion.Centre()).data());
     }
     else
     {
-      vectors->SetTuple(i, plane.DirectionToSpace(pair.sides.motion.shift).data());
+      vectors->SetTuple(i, plane.DirectionToSpace(pair.motion.shift).data());
     }
   }
 }

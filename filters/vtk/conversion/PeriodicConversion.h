@@ -3,8 +3,9 @@
 
 #include "DomainPlane.h"
 #include "ExportMesh.h"
-#include "QuadRequest.h"
+#include "QuadMesh.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,23 +26,23 @@ std::vector<crossfield::PeriodicPair> Read(
   vtkFieldData* data, const std::vector<std::string>& sideNames);
 
 /** Reads the same as motions of a plane. Throws crossfield::Error as Read does. */
-std::vector<crossfield::PeriodicSides> ReadInPlane(vtkFieldData* data,
+std::vector<crossfield::PairedSides> ReadInPlane(vtkFieldData* data,
   const std::vector<std::string>& sideNames, const crossfield::DomainPlane& plane);
 
 /** Reads pairs A:B, separated by semicolons; the last colon of a pair divides it. */
-std::vector<crossfield::PeriodicNames> ReadNames(const std::string& text);
+std::vector<std::array<std::string, 2>> ReadNames(const std::string& text);
 
 /** Adds both arrays, and removes those of another mesh. */
-void Write(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
-  vtkFieldData* data);
+void Write(
+  const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkFieldData* data);
 
 /**
  * Adds both arrays and, one tuple for each pair, `PeriodicKind` (translation or rotation), `PeriodicVector`
  * (3, 0 for a rotation), `PeriodicCentre` (3) and `PeriodicAngle` (radians, 0 for a translation), `PeriodicEdges` and
  * `PeriodicMismatch`.
  */
-void WriteReport(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
-  vtkFieldData* data);
+void WriteReport(
+  const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkFieldData* data);
 
 /** Copies both arrays. */
 void Copy(vtkFieldData* from, vtkFieldData* to);

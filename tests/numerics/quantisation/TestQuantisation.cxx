@@ -2,6 +2,7 @@
 
 #include "BidirectedFlow.h"
 #include "BranchAndCut.h"
+#include "Error.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "Relaxation.h"
@@ -130,6 +131,82 @@ TEST(Quantisation, AgreesWithBruteForce)
   }
 }
 
+/// Equations of paired sides, here of random arcs of the boundary: nearly always the flow alone is optimal with
+/// them, and Quantise is with separation. Where that is impossible, the message names the equation.
+TEST(Quantisation, AgreesWithBruteForceForPairs)
+{
+  Random random(271828);
+  const TMesh meshes[] = { TMeshOf(LShape(), {}, 0.1), TMeshOf(RingOfEdges(0.2), {}, 0.1),
+    TMeshOf(MakePlanarDomain({ { { 0.0, 0.0 }, { 2.0, 0.0 }, { 0.8, 1.8 } } }),
+      { { { 0.9, 0.6 }, 1 } }, 0.1) };
+  int optimal = 0;
+  int byFlow = 0;
+  int impossible = 0;
+  int pairs = 0;
+  for (int trial = 0; trial < 72; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    const TMesh& mesh = meshes[trial % 3];
+    QuantisationProblem problem = MakeQuantisationProblem(mesh, random.Uniform(0.6, 1.4));
+    CountSum pair;
+    pair.name = "The pair";
+    int sign = 0;
+    for (std::size_t a = 0; a < mesh.arcs.size(); ++a)
+    {
+      const int side = random.Integer(0, 3);
+      if (mesh.arcs[a].onBoundary && side < 2)
+      {
+        pair.terms.emplace_back(static_cast<int>(a), 2 * side - 1);
+        sign += 2 * side - 1;
+      }
+    }
+    if (std::abs(sign) == static_cast<int>(pair.terms.size()))
+    {
+      continue; // no arcs on one side
+    }
+    ++pairs;
+    const EdgeCounts without = SolveBidirectedFlow(problem);
+    problem.sums = { pair };
+    EXPECT_TRUE(WithSumsAsEquations(problem).sums.empty());
+    const EdgeCounts flow = SolveBidirectedFlow(WithSumsAsEquations(problem));
+    const int largest =
+      2 + static_cast<int>(*std::max_element(problem.target.begin(), problem.target.end()));
+    ASSERT_TRUE(problem.IsFeasible(flow.counts));
+    const double joined = BruteForce(mesh, problem, largest, false, flow.cost);
+    EXPECT_LE(flow.bound, joined + 1e-9);
+    if (flow.optimal)
+    {
+      EXPECT_NEAR(flow.cost, joined, 1e-9);
+      ++optimal;
+    }
+    try
+    {
+      const EdgeCounts counts = Quantise(mesh, problem, SearchEffort::Thorough);
+      EXPECT_TRUE(problem.IsFeasible(counts.counts));
+      EXPECT_TRUE(FindViolations(mesh, counts.counts).empty());
+      EXPECT_TRUE(counts.optimal);
+      EXPECT_NEAR(counts.cost, BruteForce(mesh, problem, largest + 1, true, counts.cost), 1e-9);
+      if (flow.optimal && FindViolations(mesh, flow.counts).empty() &&
+        !problem.IsFeasible(without.counts))
+      {
+        EXPECT_EQ(counts.nodes, 0) << "of branch and cut";
+        ++byFlow;
+      }
+    }
+    catch (const Error& error)
+    {
+      ++impossible;
+      EXPECT_EQ(
+        std::string(error.what()), "The pair fits no mesh of these singularities; leave it out.");
+      const double none = 1e3;
+      EXPECT_GE(BruteForce(mesh, problem, 4, true, none), none);
+    }
+  }
+  EXPECT_GT(optimal, 0.9 * pairs) << "flows; few need too many";
+  EXPECT_GT(byFlow, 3) << "pairs that change the counts";
+  EXPECT_GT(impossible, 5);
+}
+
 /// A separation row excludes the counts for which points coincide, and holds for the target counts.
 /// With these rows the optimum is proved, and costs no less than the flow.
 TEST(Quantisation, SeparatesPointsThatAreDistinctInTheMap)
@@ -247,6 +324,31 @@ TEST(Relaxation, CutsKeepIntegerSolutions)
     raised += cost - first;
   }
   EXPECT_GT(raised, 1.0);
+}
+
+/// Bounds remain possible when the optimum of the root becomes the best solution, whose cost is above the
+/// cutoff by rounding, and some reduced costs are hardly more than 0.
+TEST(Relaxation, TightensBoundsAtTheCutoff)
+{
+  Random random(100);
+  const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 6), 0.06);
+  QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.3);
+  for (double& weight : problem.weight)
+  {
+    weight = 1.0 + random.Uniform(0.0, 1e-4);
+  }
+  Relaxation relaxation(problem, AllArcs(problem), {});
+  ASSERT_EQ(relaxation.Solve(), SolveStatus::Optimal);
+  const double cost = relaxation.GetCost();
+  relaxation.SetCutoff(cost - CostRounding(cost));
+  relaxation.TightenBounds();
+  relaxation.SetCutoff(2.0 * cost + 1.0);
+  ASSERT_EQ(relaxation.Solve(), SolveStatus::Optimal);
+  EXPECT_NEAR(relaxation.GetCost(), cost, CostRounding(cost));
+  for (const int arc : AllArcs(problem))
+  {
+    EXPECT_GE(relaxation.GetCount(arc), -1e-6);
+  }
 }
 
 /// Arcs that are not free keep their counts, and the equations hold. With all arcs free, the result

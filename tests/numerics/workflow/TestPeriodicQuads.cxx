@@ -4,6 +4,7 @@
 
 #include "Index.h"
 #include "MakePlanarDomain.h"
+#include "NodePairs.h"
 #include "QuadSides.h"
 #include "Support.h"
 
@@ -130,28 +131,34 @@ QuadRequest RequestFor(const PeriodicDomain& domain, int count)
   return request;
 }
 
+/// Returns the number of edges of each side of the first pair.
+int EdgesOf(const QuadWorkflowResult& result)
+{
+  return static_cast<int>(result.quads.mesh.periodic.at(0).nodes.size()) - 1;
+}
+
 /// Expects equal numbers of edges, and nodes of b at the images of those of a.
 void ExpectPeriodic(const PeriodicDomain& domain, const QuadWorkflowResult& result)
 {
   const QuadMesh& mesh = result.quads.mesh;
-  ASSERT_EQ(result.periodic.size(), 1U);
-  const PeriodicReport& report = result.periodic[0];
-  EXPECT_NEAR(report.sides.motion.angle, domain.angle, 1e-12);
+  ASSERT_EQ(mesh.periodic.size(), 1U);
+  const PairedSides& pair = mesh.periodic[0];
+  EXPECT_NEAR(pair.motion.angle, domain.angle, 1e-12);
   const auto first = PiecesOf(mesh, domain.sides.Find("a"));
   const auto second = PiecesOf(mesh, domain.sides.Find("b"));
   ASSERT_EQ(first.size(), 1U);
   ASSERT_EQ(second.size(), 1U);
   ASSERT_EQ(first[0].size(), second[0].size());
-  EXPECT_EQ(report.edges + 1, static_cast<int>(first[0].size()));
+  EXPECT_EQ(pair.nodes.size(), first[0].size());
   double worst = 0.0;
   for (std::size_t i = 0; i < first[0].size(); ++i)
   {
-    const Point image = report.sides.motion(mesh.points[Index(first[0][i])].place);
+    const Point image = pair.motion(mesh.points[Index(first[0][i])].place);
     worst = std::max(
       worst, (image - mesh.points[Index(second[0][second[0].size() - 1 - i])].place).norm());
   }
   EXPECT_LE(worst, 1e-12 * domain.domain.Diagonal());
-  EXPECT_EQ(report.mismatch, worst);
+  EXPECT_EQ(LargestMismatch(pair, mesh), worst);
   // nodes of b are on the boundary, too
   const std::vector<LoopArc> arcs(domain.domain.loops.begin(), domain.domain.loops.end());
   for (const int point : second[0])
@@ -176,6 +183,7 @@ TEST(PeriodicQuads, MatchOnRandomDomainsWithGoodQuads)
     QuadRequest request = RequestFor(domain, random.Integer(150, 900));
     const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
     ExpectPeriodic(domain, result);
+    EXPECT_EQ(result.quads.counts.nodes, 0) << "of branch and cut: the flow is enough";
     EXPECT_NEAR(static_cast<double>(result.quads.mesh.quads.size()), request.quadCount,
       0.05 * request.quadCount + 1.0);
     request.periodicNames.clear();
@@ -222,7 +230,7 @@ TEST(PeriodicQuads, MatchWithLayersAndNumbers)
       ++made;
       if (!request.prescribed.empty())
       {
-        EXPECT_EQ(result.periodic[0].edges, request.prescribed[0].count) << "layers included";
+        EXPECT_EQ(EdgesOf(result), request.prescribed[0].count) << "layers included";
       }
     }
     catch (const LackOfRows&)
@@ -283,14 +291,15 @@ TEST(PeriodicQuads, AreSymmetricAndPeriodicInBothDirections)
   request.periodicNames = { { "outer3", "outer1" }, { "outer0", "outer2" } };
   const QuadWorkflowResult result = MakeQuadMesh(domain, request);
   EXPECT_EQ(result.quads.smoothing.symmetries, 4);
-  ASSERT_EQ(result.periodic.size(), 2U);
-  for (const PeriodicReport& pair : result.periodic)
+  const std::vector<PairedSides>& pairs = result.quads.mesh.periodic;
+  ASSERT_EQ(pairs.size(), 2U);
+  for (const PairedSides& pair : pairs)
   {
-    EXPECT_EQ(pair.sides.motion.angle, 0.0);
-    EXPECT_LE(pair.mismatch, 1e-12);
+    EXPECT_EQ(pair.motion.angle, 0.0);
+    EXPECT_LE(LargestMismatch(pair, result.quads.mesh), 1e-12);
   }
-  EXPECT_NEAR((result.periodic[0].sides.motion.shift - Point(1.5, 0.0)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((result.periodic[1].sides.motion.shift - Point(0.0, 1.0)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((pairs[0].motion.shift - Point(1.5, 0.0)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((pairs[1].motion.shift - Point(0.0, 1.0)).norm(), 0.0, 1e-15);
 }
 
 TEST(PeriodicQuads, MatchAroundACommonCorner)
@@ -317,21 +326,69 @@ TEST(PeriodicQuads, MatchAroundACommonCorner)
   ASSERT_EQ(straight.size(), 2U);
   request.periodicNames = { { straight[0], straight[1] } };
   const QuadWorkflowResult result = MakeQuadMesh(domain, request);
-  EXPECT_NEAR(std::abs(result.periodic[0].sides.motion.angle), Pi / 3.0, 1e-12);
-  EXPECT_LE(result.periodic[0].sides.motion.Centre().norm(), 1e-12);
-  EXPECT_LE(result.periodic[0].mismatch, 1e-12);
+  const PairedSides& pair = result.quads.mesh.periodic.at(0);
+  EXPECT_NEAR(std::abs(pair.motion.angle), Pi / 3.0, 1e-12);
+  EXPECT_LE(pair.motion.Centre().norm(), 1e-12);
+  EXPECT_LE(LargestMismatch(result.quads.mesh), 1e-12);
+}
+
+TEST(PeriodicQuads, MatchWithFewBlocks)
+{
+  Random random(852);
+  for (int trial = 0; trial < 2; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    const PeriodicDomain domain =
+      trial % 2 == 0 ? RandomPassage(random, 1) : RandomSector(random, 1);
+    QuadRequest request = RequestFor(domain, random.Integer(300, 900));
+    const std::size_t all = MakeQuadMesh(domain.domain, request).quads.blocks.blocks.size();
+    request.merge = BlockMerge::Coarse;
+    const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
+    ExpectPeriodic(domain, result);
+    EXPECT_LE(result.quads.blocks.blocks.size(), all);
+  }
+}
+
+/// Strips of quads lead from the left side to both the right side and the one above it, so the left and the
+/// right side cannot have equal numbers.
+TEST(PeriodicQuads, NamePairsThatFitNoMesh)
+{
+  const PlanarDomain domain =
+    MakePlanarDomain({ { { 0, 0 }, { 3, 0 }, { 3, 2 }, { 1.5, 1.5 }, { 1.5, 2.5 }, { 0, 2 } } });
+  QuadRequest request;
+  request.quadCount = 200;
+  request.sides = NameSides(domain);
+  request.periodicNames = { { "outer5", "outer1" } };
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(domain, request); },
+    { "The periodic pair outer5:outer1 fits no mesh of these singularities; leave it out." }));
+  // of a straight L-shape with both sides of length 1 paired, the side of length 2 has an even number
+  const PlanarDomain shape =
+    MakePlanarDomain({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } });
+  request.sides = NameSides(shape);
+  request.periodicNames = { { "outer1", "outer3" } };
+  SidePrescription count;
+  count.side = request.sides.Find("outer5");
+  count.count = 13;
+  request.prescribed = { count };
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(shape, request); },
+    { "The periodic pair outer1:outer3 and outer5:13 contradict each other",
+      "give outer5:14 or" }));
+  request.prescribed[0].count = 14;
+  const QuadWorkflowResult result = MakeQuadMesh(shape, request);
+  EXPECT_EQ(EdgesOf(result), 7);
 }
 
 TEST(PeriodicQuads, RefuseSidesThatAreNoImages)
 {
   Random random(63);
   const PeriodicDomain domain = RandomPassage(random, 1);
-  const auto expect = [&](const std::vector<PeriodicNames>& pairs, const std::string& reason)
+  const auto expect =
+    [&](const std::vector<std::array<std::string, 2>>& pairs, const std::string& reason)
   {
     EXPECT_TRUE(
-      Refuses([&] { FindPeriodicSides(domain.domain, domain.sides, {}, pairs); }, { reason }));
+      Refuses([&] { FindPairedSides(domain.domain, domain.sides, {}, pairs); }, { reason }));
   };
-  EXPECT_EQ(FindPeriodicSides(domain.domain, domain.sides, {}, { { "b", "a" } }).size(), 1U);
+  EXPECT_EQ(FindPairedSides(domain.domain, domain.sides, {}, { { "b", "a" } }).size(), 1U);
   expect({ { "a", "c" } }, "The boundary has no side 'c' for a periodic pair; give");
   expect({ { "a", "a" } }, "The side 'a' is paired with itself");
   expect({ { "a", "b" }, { "low", "a" } }, "The side 'a' is in two periodic pairs");
@@ -344,7 +401,7 @@ TEST(PeriodicQuads, RefuseSidesThatAreNoImages)
   }
   EXPECT_TRUE(Refuses(
     [&] {
-      FindPeriodicSides(domain.domain, apart, {}, { { "a", "high" } });
+      FindPairedSides(domain.domain, apart, {}, { { "a", "high" } });
     },
     { "The periodic side 'high' has 2 pieces" }));
   // one point of b beside its place
@@ -356,16 +413,16 @@ TEST(PeriodicQuads, RefuseSidesThatAreNoImages)
   {
     std::vector<Loop> moved = loops;
     const Point across = TurnedLeft(arcs[Index(span.loop)].Tangent(span.start + 0.5 * span.length));
-    moved[Index(span.loop)][vertex] += part * PeriodicReach * domain.domain.Diagonal() * across;
+    moved[Index(span.loop)][vertex] += part * PairReach * domain.domain.Diagonal() * across;
     const PlanarDomain other = { moved };
     if (part < 1.0)
     {
-      EXPECT_EQ(FindPeriodicSides(other, domain.sides, {}, { { "a", "b" } }).size(), 1U);
+      EXPECT_EQ(FindPairedSides(other, domain.sides, {}, { { "a", "b" } }).size(), 1U);
       continue;
     }
     EXPECT_TRUE(Refuses(
       [&] {
-        FindPeriodicSides(other, domain.sides, {}, { { "a", "b" } });
+        FindPairedSides(other, domain.sides, {}, { { "a", "b" } });
       },
       { "The sides 'a' and 'b' are not images of each other", "leave the pair out" }));
   }

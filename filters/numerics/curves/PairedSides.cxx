@@ -1,4 +1,4 @@
-#include "PeriodicSides.h"
+#include "PairedSides.h"
 
 #include "CurvedLoops.h"
 #include "Error.h"
@@ -142,17 +142,17 @@ private:
 };
 
 /// Throws Error if a side is in two pairs.
-void RequireOnce(const std::vector<PeriodicNames>& pairs)
+void RequireOnce(const std::vector<std::array<std::string, 2>>& pairs)
 {
   std::vector<std::string> used;
-  for (const PeriodicNames& pair : pairs)
+  for (const std::array<std::string, 2>& pair : pairs)
   {
-    if (pair.first == pair.second)
+    if (pair[0] == pair[1])
     {
-      throw Error("The side " + Quoted(pair.first) +
+      throw Error("The side " + Quoted(pair[0]) +
         " is paired with itself; give two sides that are images of each other.");
     }
-    for (const std::string& name : { pair.first, pair.second })
+    for (const std::string& name : pair)
     {
       if (std::find(used.begin(), used.end(), name) != used.end())
       {
@@ -198,10 +198,10 @@ SideSpan FindSpan(const BoundarySides& sides, const std::vector<LoopArc>& loops,
   return span;
 }
 
-std::vector<PeriodicSides> FindPeriodicSides(const PlanarDomain& domain, const BoundarySides& sides,
-  const CurvedBoundary& curves, const std::vector<PeriodicNames>& pairs)
+std::vector<PairedSides> FindPairedSides(const PlanarDomain& domain, const BoundarySides& sides,
+  const CurvedBoundary& curves, const std::vector<std::array<std::string, 2>>& pairs)
 {
-  std::vector<PeriodicSides> found;
+  std::vector<PairedSides> found;
   if (pairs.empty())
   {
     return found;
@@ -209,22 +209,22 @@ std::vector<PeriodicSides> FindPeriodicSides(const PlanarDomain& domain, const B
   RequireOnce(pairs);
   const std::vector<LoopArc> loops(domain.loops.begin(), domain.loops.end());
   const CurvedLoops curved(curves, loops);
-  const double reach = PeriodicReach * domain.Diagonal();
-  for (const PeriodicNames& names : pairs)
+  const double reach = PairReach * domain.Diagonal();
+  for (const std::array<std::string, 2>& names : pairs)
   {
-    for (const std::string& name : { names.first, names.second })
+    for (const std::string& name : names)
     {
       RequireSide(sides.names, name, " for a periodic pair");
     }
-    PeriodicSides pair;
-    pair.first = sides.Find(names.first);
-    pair.second = sides.Find(names.second);
+    PairedSides pair;
+    pair.first = sides.Find(names[0]);
+    pair.second = sides.Find(names[1]);
     MotionSearch search(loops, curved, FindSpan(sides, loops, pair.first),
       FindSpan(sides, loops, pair.second), reach);
     pair.motion = search.Find();
     if (!search.IsFound())
     {
-      throw Error("The sides " + Quoted(names.first) + " and " + Quoted(names.second) +
+      throw Error("The sides " + Quoted(names[0]) + " and " + Quoted(names[1]) +
         " are not images of each other: the best translation or rotation takes " +
         Describe(search.WorstPoint) + " to " + Describe(search.WorstImage) + ", which is " +
         FormatNumber(search.Worst, 2) +

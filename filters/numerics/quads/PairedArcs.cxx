@@ -1,4 +1,4 @@
-#include "PeriodicCounts.h"
+#include "PairedArcs.h"
 
 #include "Index.h"
 #include "SideArcs.h"
@@ -11,11 +11,11 @@ namespace crossfield
 {
 namespace
 {
-/// The places where the parts of two periodic sides begin and end.
+/// The places where the parts of two paired sides begin and end.
 class PartEnds
 {
 public:
-  PartEnds(const BoundaryCurves& curves, const BoundarySides& sides, const PeriodicSides& pair)
+  PartEnds(const BoundaryCurves& curves, const BoundarySides& sides, const PairedSides& pair)
     : Curves(curves)
     , First(FindSpan(sides, curves.GetArcs(), pair.first))
     , Second(FindSpan(sides, curves.GetArcs(), pair.second))
@@ -79,7 +79,7 @@ private:
   bool IsInside(const SideSpan& span, const CurvePlace& place) const
   {
     const double offset = this->OffsetOf(span, place);
-    const double rounding = PeriodicReach * this->Curves.Length(span.loop);
+    const double rounding = PairReach * this->Curves.Length(span.loop);
     return place.loop == span.loop && offset > rounding && offset < span.length - rounding;
   }
 
@@ -88,7 +88,7 @@ private:
   {
     const double onFirst =
       this->OffsetOf(this->First, this->Curves.Nearest(this->First.loop, place));
-    const double rounding = 10.0 * PeriodicReach * this->Curves.Length(this->First.loop);
+    const double rounding = 10.0 * PairReach * this->Curves.Length(this->First.loop);
     if (std::none_of(this->OnFirst.begin(), this->OnFirst.end(),
           [&](double other) { return std::abs(other - onFirst) <= rounding; }))
     {
@@ -112,25 +112,25 @@ private:
 };
 }
 
-void SplitAtPeriodic(const SeamlessMap& map, const BoundaryCurves& curves,
-  const BoundarySides& sides, const std::vector<PeriodicSides>& periodic, TMesh& mesh)
+void SplitAtPairs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
+  const std::vector<PairedSides>& pairs, TMesh& mesh)
 {
-  for (const PeriodicSides& pair : periodic)
+  for (const PairedSides& pair : pairs)
   {
     SplitBoundaryArcs(map, PartEnds(curves, sides, pair).Positions(), mesh);
   }
 }
 
-std::vector<CountSum> PeriodicSums(const SeamlessMap& map, const BoundaryCurves& curves,
-  const BoundarySides& sides, const std::vector<PeriodicSides>& periodic, const TMesh& mesh)
+std::vector<CountSum> PairSums(const SeamlessMap& map, const BoundaryCurves& curves,
+  const BoundarySides& sides, const std::vector<PairedSides>& pairs, const TMesh& mesh)
 {
   std::vector<CountSum> sums;
-  if (periodic.empty())
+  if (pairs.empty())
   {
     return sums;
   }
   const SideArcs arcs(map, curves, sides, mesh);
-  for (const PeriodicSides& pair : periodic)
+  for (const PairedSides& pair : pairs)
   {
     const PartEnds ends(curves, sides, pair);
     std::vector<CountSum> ofPair(ends.Count());
