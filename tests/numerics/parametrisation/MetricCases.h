@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ConeMetric.h"
+#include "PlanarTopology.h"
 
 #include <Eigen/Core>
 

@@ -9,7 +9,7 @@ namespace crossfield::test
 {
 double SeamDefect(const SeamlessMap& map)
 {
-  const PlanarTopology& topology = *map.topology;
+  const MeshTopology& topology = *map.topology;
   double largest = 0.0;
   for (int t = 0; t < static_cast<int>(map.corners.size()); ++t)
   {

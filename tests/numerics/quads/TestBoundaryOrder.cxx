@@ -106,7 +106,7 @@ TEST(QuadEnergy, GradientMatchesForPowersAndOrderOnTheBoundary)
   for (const SeamlessMap& map : { MapOfL(), MapOfRing() })
   {
     const QuadResult result = QuadsOf(map);
-    const BoundaryCurves curves(*map.topology);
+    const BoundaryCurves curves(*RequirePlanar(map.topology));
     std::vector<double> weights(result.mesh.quads.size());
     for (std::size_t q = 0; q < weights.size(); ++q)
     {
@@ -166,7 +166,7 @@ TEST(QuadEnergy, HoldsTheOrderOnTheBoundary)
   for (const SeamlessMap& map : { MapOfL(), MapOfRing() })
   {
     QuadMesh mesh = QuadsOf(map).mesh;
-    const BoundaryCurves curves(*map.topology);
+    const BoundaryCurves curves(*RequirePlanar(map.topology));
     const std::vector<double> weights(mesh.quads.size(), 1.0);
     QuadEnergy without(mesh, curves, AllButFixed(mesh), 0.3, weights);
     QuadEnergy with(mesh, curves, AllButFixed(mesh), 0.3, weights);
@@ -216,7 +216,7 @@ TEST(OrderOnBoundary, MovesOnlyPointsOutOfOrder)
   for (const SeamlessMap& map : { MapOfL(), MapOfRing() })
   {
     const QuadMesh ordered = QuadsOf(map).mesh;
-    const BoundaryCurves curves(*map.topology);
+    const BoundaryCurves curves(*RequirePlanar(map.topology));
     ASSERT_GT(ShortestEdge(ordered, curves), 0.0);
     QuadMesh mesh = ordered;
     OrderOnBoundary(mesh, curves);
@@ -263,7 +263,7 @@ TEST(OrderOnBoundary, SpreadsPointsThatGather)
 {
   const SeamlessMap map = MapOfRing();
   QuadMesh mesh = QuadsOf(map).mesh;
-  const BoundaryCurves curves(*map.topology);
+  const BoundaryCurves curves(*RequirePlanar(map.topology));
   for (QuadPoint& point : mesh.points)
   {
     if (point.curve.loop >= 0)

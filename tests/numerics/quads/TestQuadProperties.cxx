@@ -130,17 +130,18 @@ SeamlessMap MapOf(const RandomCase& random)
 /// than 2 h.
 bool FarApart(const SeamlessMap& map, double size)
 {
+  const SharedPlanarTopology topology = RequirePlanar(map.topology);
   for (std::size_t i = 0; i < map.cones.size(); ++i)
   {
-    const Point& place = map.topology->PointAt(map.cones[i].vertex);
+    const Point& place = topology->PointAt(map.cones[i].vertex);
     for (std::size_t j = 0; j < i; ++j)
     {
-      if ((map.topology->PointAt(map.cones[j].vertex) - place).norm() <= 2.0 * size)
+      if ((topology->PointAt(map.cones[j].vertex) - place).norm() <= 2.0 * size)
       {
         return false;
       }
     }
-    for (const Loop& loop : map.topology->AlignedLoops())
+    for (const Loop& loop : topology->AlignedLoops())
     {
       if (!map.cones[i].onBoundary && DistanceToLoop(place, loop) <= 2.0 * size)
       {

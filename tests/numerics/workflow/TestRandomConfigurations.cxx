@@ -46,7 +46,8 @@ void ExpectMap(const RandomCase& random)
       ++singular;
       const Singularity& singularity = random.singularities[static_cast<std::size_t>(cone.row)];
       EXPECT_EQ(cone.quarterIndex, singularity.quarterIndex);
-      EXPECT_LT((map.topology->PointAt(cone.vertex) - singularity.position).norm(), 1e-12);
+      EXPECT_LT(
+        (map.topology->PositionOf(cone.vertex).head<2>() - singularity.position).norm(), 1e-12);
     }
   }
   EXPECT_EQ(singular, random.singularities.size());
