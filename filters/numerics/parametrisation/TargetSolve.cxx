@@ -14,6 +14,11 @@ namespace crossfield
 {
 namespace
 {
+int Modulo4(int quarters)
+{
+  return ((quarters % 4) + 4) % 4;
+}
+
 /// Turns the charts of triangles so that they are continuous except across the cut.
 void ContinueBranches(const CutGraph& cut, MapTargets& targets)
 {
@@ -38,7 +43,8 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
       int& jump = targets.jumps[Index(t)][Index(side)];
       const int other = topology.Neighbour(t, side);
       jump += other < 0 ? -shift[Index(t)] : shift[Index(t)] - shift[Index(other)];
-      if (other >= 0 && jump != 0 && !cut.isCut[Index(topology.EdgeOf(t, side))])
+      // Hinges are angles up to whole turns.
+      if (other >= 0 && Modulo4(jump) != 0 && !cut.isCut[Index(topology.EdgeOf(t, side))])
       {
         throw CoarseMeshError("The cross field has a singularity near " +
           topology.Where(topology.mesh.triangles[Index(t)][Index(side)]) +
@@ -46,11 +52,6 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
       }
     }
   }
-}
-
-int Modulo4(int quarters)
-{
-  return ((quarters % 4) + 4) % 4;
 }
 
 /// Sets the seams with their rotations, and the directions of boundary edges.
