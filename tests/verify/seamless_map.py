@@ -8,6 +8,10 @@ def _cross(a, b):
     return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
 
 
+#: i to the power of 0 to 3, without rounding.
+TURNS = np.array([1, 1j, -1, -1j])
+
+
 def check_map(data, report):
     """Checks areas, orientation, seams, sides and angles."""
     uv, vertex = data.at_points["UV"], data.at_points["VertexId"]
@@ -31,7 +35,7 @@ def check_map(data, report):
     report.true("copies of a vertex are at its place",
                 np.array_equal(data.points, data.points[same]))
     w = uv[:, 0] + 1j * uv[:, 1]
-    rotation = 1j ** np.atleast_1d(data.field.get("SeamRotation", np.zeros(0)))
+    rotation = TURNS[np.atleast_1d(data.field.get("SeamRotation", np.zeros(0, int)))]
     shift = data.field.get("SeamTranslation", np.zeros((0, 2))).reshape(-1, 2)
     shift = shift[:, 0] + 1j * shift[:, 1]
     sides = {}
@@ -53,13 +57,13 @@ def check_map(data, report):
                 carried = rotation[code - 1] * w[mine] + shift[code - 1]
                 worst = max(worst, abs(carried - w[theirs]))
     report.true("seams are the same from both sides", bool(paired))
-    report.bound("seams close", worst / extent, 1e-12, "relative to the extent")
+    report.bound("seams close", worst / extent, 0.0, "coordinates are multiples of a power of two")
 
     lines = w[data.lines]
-    along = (lines[:, 1] - lines[:, 0]) * (-1j) ** data.cells["Direction"][1]
+    along = (lines[:, 1] - lines[:, 0]) * TURNS.conj()[data.cells["Direction"][1]]
     report.true("sides have their directions", bool((along.real > 0).all()))
-    report.bound("sides are straight", np.abs(along.imag).max() / extent, 1e-12,
-                 "relative to the extent")
+    report.bound("sides are straight", np.abs(along.imag).max() / extent, 0.0,
+                 "coordinates are multiples of a power of two")
 
     angle = np.zeros(vertex.max() + 1)
     for i in range(3):

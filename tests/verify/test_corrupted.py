@@ -81,7 +81,7 @@ def good_files_of_every_size(folder):
     limits of the program."""
     for name in GOOD:
         made = make(name, folder)
-        for scale in (1e-59, 1e-35, 1e35, 1e59):
+        for scale in (2.0**-196, 2.0**-116, 2.0**116, 2.0**196):  # exact
             file = CorruptedFile(made)
             for part in (file, *file.beside.values()):
                 part.scale(scale, LENGTHS)
