@@ -11,6 +11,7 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "QuadsOutput.h"
 #include "ReportJson.h"
 #include "SideOptions.h"
 #include "SingularityInput.h"
@@ -22,19 +23,14 @@
 #include "vtkQuadsToHigherOrder.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
 
-#include <initializer_list>
-#include <iostream>
 #include <limits>
 #include <memory>
 
@@ -73,11 +69,6 @@ struct QuadsOptions
   int order = 1;
   int mshVersion = vtkQuadMeshWriter::Msh41;
 };
-
-double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
-{
-  return quads->GetFieldData()->GetArray(name)->GetTuple1(i);
-}
 
 /** Returns the singularities that the mesh was made of, at the positions of their nodes. */
 vtkDataSet* Singularities(vtkQuadMesher* mesher)
@@ -152,100 +143,6 @@ std::string Join(const std::vector<std::string>& entries)
     text += entry + ";";
   }
   return text;
-}
-
-/** Prints a line for each curve. */
-void PrintCurves(vtkFieldData* report)
-{
-  auto* sides = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::CurveSides));
-  auto* kinds = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::CurveKind));
-  for (vtkIdType i = 0; sides != nullptr && i < sides->GetNumberOfValues(); ++i)
-  {
-    std::cout << kinds->GetValue(i) << " along '" << sides->GetValue(i)
-              << "': " << report->GetArray(names::CurveEdges)->GetTuple1(i)
-              << " edges, nodes moved by at most "
-              << report->GetArray(names::CurveMoved)->GetTuple1(i) << "\n";
-  }
-  if (vtkDataArray* ratio = report->GetArray(names::JacobianRatioMin))
-  {
-    std::cout << "curved quads of order " << report->GetArray(names::Order)->GetTuple1(0)
-              << ": minimum over maximum of det J at least " << ratio->GetTuple1(0) << ", "
-              << report->GetArray(names::CurvedInverted)->GetTuple1(0) << " inverted\n";
-  }
-}
-
-/** Prints a line for each boundary layer. */
-void PrintLayers(vtkFieldData* report)
-{
-  auto* sides = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::LayerSide));
-  for (vtkIdType i = 0; sides != nullptr && i < sides->GetNumberOfValues(); ++i)
-  {
-    const auto value = [&](const char* name, int component = 0)
-    { return report->GetArray(name)->GetComponent(i, component); };
-    std::cout << "layer of '" << sides->GetValue(i) << "': " << value(names::LayerReplaced)
-              << " rows divided into " << value(names::LayerRows) << ", heights of the first "
-              << value(names::LayerHeightRange, 0) << " to " << value(names::LayerHeightRange, 1)
-              << ", largest growth " << value(names::LayerGrowth)
-              << ", largest ratio of neighbours " << value(names::LayerRatio) << "\n";
-  }
-}
-
-/** Prints a line for each pair of periodic sides. */
-void PrintPeriodic(vtkFieldData* report)
-{
-  auto* kinds = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::PeriodicKind));
-  auto* sides = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::PeriodicSides));
-  for (vtkIdType i = 0; kinds != nullptr && i < kinds->GetNumberOfValues(); ++i)
-  {
-    const auto value = [&](const char* name, int component = 0)
-    { return report->GetArray(name)->GetComponent(i, component); };
-    const bool isRotation = value(names::PeriodicAngle) != 0.0;
-    const char* vector = isRotation ? names::PeriodicCentre : names::PeriodicVector;
-    std::cout << "periodic sides '" << sides->GetValue(2 * i) << "' and '"
-              << sides->GetValue(2 * i + 1) << "': " << value(names::PeriodicEdges) << " edges, ";
-    if (isRotation)
-    {
-      std::cout << "rotation by " << vtkMath::DegreesFromRadians(value(names::PeriodicAngle))
-                << " degrees about (";
-    }
-    else
-    {
-      std::cout << "translation by (";
-    }
-    std::cout << value(vector, 0) << ", " << value(vector, 1) << ", " << value(vector, 2)
-              << "), largest mismatch of nodes " << value(names::PeriodicMismatch) << "\n";
-  }
-}
-
-/** Prints what was made. */
-void PrintResult(vtkUnstructuredGrid* quads)
-{
-  std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
-            << " blocks, irregular nodes by valence "
-            << ReportJson::Write("quads", "irregular", quads) << ", minimum scaled Jacobian "
-            << Value(quads, names::ScaledJacobianRange) << " (attainable "
-            << Value(quads, names::ScaledJacobianBound) << ")\n";
-  if (vtkDataArray* hexahedra = quads->GetFieldData()->GetArray(names::Hexahedra))
-  {
-    const double layers = Value(quads, names::SweepLayers);
-    std::cout << hexahedra->GetTuple1(0) << " hexahedra in " << layers
-              << (layers == 1.0 ? " layer\n" : " layers\n");
-  }
-}
-
-/** Prints the names of the files that were written; an empty name stands for none. */
-void PrintOutputs(std::initializer_list<std::string> files)
-{
-  const char* separator = "Written to ";
-  for (const std::string& file : files)
-  {
-    if (!file.empty())
-    {
-      std::cout << separator << file;
-      separator = ", ";
-    }
-  }
-  std::cout << "\n";
 }
 
 int Mesh(const QuadsOptions& options)
@@ -357,23 +254,21 @@ int Mesh(const QuadsOptions& options)
         PrintEvents(quads);
       }
     }
-    PrintResult(quads);
+    QuadsOutput::Print(quads);
     if (options.verbose)
     {
       PrintAmbiguous(quads->GetFieldData());
-      PrintLayers(quads->GetFieldData());
-      PrintPeriodic(quads->GetFieldData());
-      PrintCurves(quads->GetFieldData());
+      QuadsOutput::PrintSides(quads->GetFieldData());
     }
   }
   outputs.Commit();
   if (prints)
   {
-    PrintOutputs(
+    QuadsOutput::PrintFiles(
       { options.output, options.blocks, options.layout, options.savedSingularities, options.json });
   }
-  const bool isInverted = Value(quads, names::Inverted) > 0.0 ||
-    (options.order > 1 && Value(quads, names::CurvedInverted) > 0.0);
+  const bool isInverted = FieldValue(quads, names::Inverted) > 0.0 ||
+    (options.order > 1 && FieldValue(quads, names::CurvedInverted) > 0.0);
   return isInverted ? AnswerIsNo : Done;
 }
 }

@@ -1,7 +1,6 @@
 #include "ArcPaths.h"
 
 #include "Index.h"
-#include "LineWalk.h"
 
 #include <algorithm>
 

@@ -123,7 +123,6 @@ std::vector<NearCone> FindNear(
   }
   return near;
 }
-
 }
 
 PhaseSteps StepsOf(const PointPotential& potential, const PointPotential::Solution& solution)

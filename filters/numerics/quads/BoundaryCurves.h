@@ -35,7 +35,7 @@ public:
   /// Returns the polylines.
   const std::vector<LoopArc>& GetArcs() const { return this->Arcs; }
   double Length(int loop) const { return this->ArcOf(loop).Length(); }
-  /// Returns the positions of corner vertices (PlanarTopology::corners).
+  /// Returns the positions of corner vertices (MeshTopology::corners).
   std::vector<CurvePlace> Corners() const;
   /// Returns the entry of mesh.boundary at a position.
   int PositionAt(const CurvePlace& place) const;

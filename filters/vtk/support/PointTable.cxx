@@ -69,7 +69,7 @@ std::optional<double> NumberAt(vtkAbstractArray* column, vtkIdType row)
   {
     return std::nullopt;
   }
-  if (text[first] == '+' && text.find('-') != first + 1)
+  if (text[first] == '+' && text.compare(first, 2, "+-") != 0)
   {
     ++first;
   }
