@@ -103,7 +103,7 @@ struct MeshTopology
   }
   double Length(int edge) const;
   double AreaOf(int triangle) const;
-  /// Returns the position of a vertex.
+  /// Returns the position of a vertex: its point in the plane, with z = 0.
   SpacePoint PositionOf(int vertex) const
   {
     const Point& point = mesh.points[static_cast<std::size_t>(vertex)];
