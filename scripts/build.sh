@@ -26,9 +26,6 @@ elif [[ $tests == yes ]]; then
 else
   scripts/packages.sh
 fi
-# All presets compile the same numerics: ccache compiles them once. These settings declare that
-# precompiled headers depend neither on macros of the command line nor on the time.
-export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 for preset in "${presets[@]}"; do
   folder=build-$preset
   if [[ $preset == paraview ]]; then

@@ -96,7 +96,7 @@ PositionResponse::PositionResponse(const SeamlessMap& map,
   const Eigen::Index vertices = potential->GetOperator().VertexCount();
   this->Real = solution.topRows(vertices).transpose();
   progress.Report(0.8);
-  this->Imaginary = IntegrateConjugate(topology.mesh, topology.edges, potential->Gradient(solution),
+  this->Imaginary = IntegrateConjugate(topology, potential->Gradient(solution),
     topology.EdgeOfBoundary(topology.FirstOuterEdge()), Eigen::VectorXd::Zero(this->Columns()));
   // θ does not change on the outer loop, which determines the constant of V.
   std::vector<Eigen::VectorXd> means;

@@ -31,7 +31,7 @@ PerforatedEnergy ComputePerforatedEnergy(
     phase.ShiftInnerLoops(linear.carriedPhase);
   }
   result.alignedUpper =
-    GradientEnergy(topology->mesh, laplacian.Gradient(dirichlet.Harmonic(phase.Get())));
+    GradientEnergy(*topology, laplacian.Gradient(dirichlet.Harmonic(phase.Get())));
 
   // With a free boundary, only the constants of Φ on the holes and the periods of φ around them
   // matter.

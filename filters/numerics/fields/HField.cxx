@@ -107,7 +107,7 @@ ComplexVector AssembleField(
   const int firstEdge = topology.EdgeOfBoundary(first);
   const std::vector<LogSource>& ofBoundary = potential.GetBoundaryLogs();
   const std::size_t onCurves = potential.CurveLogCount();
-  const Eigen::RowVectorXd phase = IntegrateConjugate(topology.mesh, topology.edges,
+  const Eigen::RowVectorXd phase = IntegrateConjugate(topology,
     problem.potential->Gradient(solution.aligned), firstEdge, Eigen::VectorXd::Zero(1),
     { ofBoundary.begin() + static_cast<std::ptrdiff_t>(onCurves), ofBoundary.end() });
   std::vector<Point> seenFromCurves;

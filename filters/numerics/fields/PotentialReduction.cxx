@@ -26,9 +26,9 @@ Eigen::MatrixXd AlignedLoad(const PotentialProblem& problem)
   }
   for (Eigen::Index k = 0; k < potential.PeriodCount(); ++k)
   {
-    const LoopStrip& strip = potential.GetStrips()[static_cast<std::size_t>(k)];
+    const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
     // On a hole the cross is 0, because the values on its edges are unknowns.
-    set(potential.PeriodRow(k), crosses[strip.firstBoundaryEdge] - crosses[strip.lastBoundaryEdge]);
+    set(potential.PeriodRow(k), crosses[cycle.firstBoundaryEdge] - crosses[cycle.lastBoundaryEdge]);
   }
   return load;
 }
@@ -92,10 +92,10 @@ RecoveredField PotentialReduction::Recover(const ComplexVector& x) const
   const Eigen::MatrixXd gradient = potential.Gradient(potential.GetFactor().Substitute(sources));
 
   RecoveredField field;
-  field.energy = GradientEnergy(topology.mesh, gradient);
+  field.energy = GradientEnergy(topology, gradient);
   const int first = topology.FirstOuterEdge();
   const Complex start = this->Problem.alignment.crosses[first];
-  const Eigen::MatrixXd parts = IntegrateConjugate(topology.mesh, topology.edges, gradient,
+  const Eigen::MatrixXd parts = IntegrateConjugate(topology, gradient,
     topology.EdgeOfBoundary(first), Eigen::Vector2d(start.real(), start.imag()));
   field.u.resize(parts.cols());
   field.u.real() = parts.row(0);

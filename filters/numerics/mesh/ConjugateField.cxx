@@ -1,7 +1,6 @@
 #include "ConjugateField.h"
 
 #include "Parts.h"
-#include "TriangleArea.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -25,19 +24,19 @@ struct LinkValue
 class PartwiseIntegral
 {
 public:
-  PartwiseIntegral(const TriangleMesh& mesh, const EdgeNumbering& edges,
-    const Eigen::MatrixXd& gradients, const std::vector<LogSource>& logs)
-    : Mesh(mesh)
-    , Edges(edges)
+  PartwiseIntegral(const MeshTopology& topology, const Eigen::MatrixXd& gradients,
+    const std::vector<LogSource>& logs)
+    : Topology(topology)
+    , Edges(topology.edges)
     , Gradients(gradients)
     , Logs(logs)
     , Functions(gradients.rows() / 2)
-    , PartOf(mesh.triangles.size())
-    , Links(PartCount(static_cast<std::ptrdiff_t>(mesh.triangles.size())))
-    , ComponentOf(mesh.triangles.size(), -1)
+    , PartOf(topology.mesh.triangles.size())
+    , Links(PartCount(topology.TriangleCount()))
+    , ComponentOf(topology.mesh.triangles.size(), -1)
     , ComponentCounts(Links.size(), 0)
-    , Known(static_cast<std::size_t>(edges.Count()), 0)
-    , Values(Functions, edges.Count())
+    , Known(static_cast<std::size_t>(this->Edges.Count()), 0)
+    , Values(Functions, topology.edges.Count())
   {
     for (std::size_t part = 0; part < this->Links.size(); ++part)
     {
@@ -79,8 +78,7 @@ public:
 private:
   std::pair<int, int> RangeOf(std::size_t part) const
   {
-    return PartRange(
-      static_cast<std::ptrdiff_t>(this->Mesh.triangles.size()), part, this->Links.size());
+    return PartRange(this->Topology.TriangleCount(), part, this->Links.size());
   }
 
   /// Breadth-first search. Each triangle is entered once, through an edge with known values, and
@@ -139,12 +137,10 @@ private:
       {
         from = this->Values.col(edge);
       }
-      const auto& ofTriangle = this->Edges.ofTriangle[static_cast<std::size_t>(t)];
-      const auto i = static_cast<std::size_t>(
-        std::find(ofTriangle.begin(), ofTriangle.end(), edge) - ofTriangle.begin());
-      for (const std::size_t other : { i + 1, i + 2 })
+      const int i = this->Edges.SideOf(t, edge);
+      for (const int other : { (i + 1) % 3, (i + 2) % 3 })
       {
-        const int toEdge = ofTriangle[other % 3];
+        const int toEdge = this->Topology.EdgeOf(t, other);
         if (this->Known[static_cast<std::size_t>(toEdge)] == 0)
         {
           this->Step(t, i, other, from, to);
@@ -155,14 +151,12 @@ private:
   }
 
   /// Continues values from the midpoint of one edge of a triangle to that of another.
-  void Step(
-    int t, std::size_t i, std::size_t other, const Eigen::VectorXd& from, Eigen::VectorXd& to) const
+  void Step(int t, int i, int other, const Eigen::VectorXd& from, Eigen::VectorXd& to) const
   {
-    const auto& triangle = this->Mesh.triangles[static_cast<std::size_t>(t)];
-    const auto point = [&](std::size_t k) -> const Point&
-    { return this->Mesh.points[static_cast<std::size_t>(triangle[k % 3])]; };
-    const Point start = 0.5 * (point(i) + point(i + 1));
-    const Point end = 0.5 * (point(other) + point(other + 1));
+    const auto middle = [&](int side) -> Point
+    { return 0.5 * (this->Topology.At(t, side) + this->Topology.At(t, (side + 1) % 3)); };
+    const Point start = middle(i);
+    const Point end = middle(other);
     const double turn =
       SumOfTurns(this->Logs.data(), this->Logs.data() + this->Logs.size(), start, end);
     for (Eigen::Index c = 0; c < this->Functions; ++c)
@@ -234,7 +228,7 @@ private:
       });
   }
 
-  const TriangleMesh& Mesh;
+  const MeshTopology& Topology;
   const EdgeNumbering& Edges;
   const Eigen::MatrixXd& Gradients;
   const std::vector<LogSource>& Logs;
@@ -248,23 +242,21 @@ private:
 };
 }
 
-Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const Eigen::MatrixXd& gradients, int firstEdge, const Eigen::VectorXd& firstValues,
-  const std::vector<LogSource>& logs)
+Eigen::MatrixXd IntegrateConjugate(const MeshTopology& topology, const Eigen::MatrixXd& gradients,
+  int firstEdge, const Eigen::VectorXd& firstValues, const std::vector<LogSource>& logs)
 {
-  return PartwiseIntegral(mesh, edges, gradients, logs).Integrate(firstEdge, firstValues);
+  return PartwiseIntegral(topology, gradients, logs).Integrate(firstEdge, firstValues);
 }
 
-double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients)
+double GradientEnergy(const MeshTopology& topology, const Eigen::MatrixXd& gradients)
 {
-  return SumOfRanges(static_cast<std::ptrdiff_t>(mesh.triangles.size()),
+  return SumOfRanges(topology.TriangleCount(),
     [&](int begin, int end)
     {
       double energy = 0.0;
       for (int t = begin; t < end; ++t)
       {
-        const double area = TriangleArea(mesh, mesh.triangles[static_cast<std::size_t>(t)]);
-        energy += 0.5 * area * gradients.col(t).squaredNorm();
+        energy += 0.5 * topology.AreaOf(t) * gradients.col(t).squaredNorm();
       }
       return energy;
     });

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "EdgeNumbering.h"
 #include "LogSource.h"
+#include "MeshTopology.h"
 
 #include <Eigen/Core>
 
@@ -14,12 +14,11 @@ namespace crossfield
 /// `gradients` has one column per triangle and two rows per function: the gradients of P1
 /// potentials, with or without periods. The result has one column per edge and one row per
 /// function. Where w is multivalued, the branch on an edge is that of the shortest path from the
-/// first edge. `logs` are added to every potential; they contribute the angles under which their
-/// centres see each step.
-Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const Eigen::MatrixXd& gradients, int firstEdge, const Eigen::VectorXd& firstValues,
-  const std::vector<LogSource>& logs = {});
+/// first edge. `logs` are added to every potential, in the plane only; they contribute the
+/// angles under which their centres see each step.
+Eigen::MatrixXd IntegrateConjugate(const MeshTopology& topology, const Eigen::MatrixXd& gradients,
+  int firstEdge, const Eigen::VectorXd& firstValues, const std::vector<LogSource>& logs = {});
 
 /// Returns ½ ∫ Σ_c |g_c|² for fields that are constant on each triangle.
-double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients);
+double GradientEnergy(const MeshTopology& topology, const Eigen::MatrixXd& gradients);
 }

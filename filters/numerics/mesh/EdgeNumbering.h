@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Index.h"
 #include "TriangleMesh.h"
 
 namespace crossfield
@@ -21,6 +22,19 @@ struct EdgeNumbering
   std::vector<int> ofImprinted;
 
   int Count() const { return static_cast<int>(this->vertices.size()); }
+  /// Returns the triangle across side i of a triangle, from its vertex i to the next one; −1 if there
+  /// is none.
+  int Neighbour(int triangle, int side) const
+  {
+    const auto& two = this->triangles[Index(this->ofTriangle[Index(triangle)][Index(side)])];
+    return two[0] == triangle ? two[1] : two[0];
+  }
+  /// Returns the side of a triangle at an edge.
+  int SideOf(int triangle, int edge) const
+  {
+    const auto& sides = this->ofTriangle[Index(triangle)];
+    return edge == sides[0] ? 0 : edge == sides[1] ? 1 : 2;
+  }
   /// Returns vertices − edges + triangles. Only vertices used by a triangle are counted.
   int EulerCharacteristic(const TriangleMesh& mesh) const;
 };

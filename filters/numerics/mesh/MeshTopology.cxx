@@ -55,6 +55,7 @@ MeshTopology::MeshTopology(TriangleMesh triangles)
   , edges(NumberEdges(this->mesh))
   , loops(FindBoundaryLoops(this->mesh))
   , imprinted(FindImprintedLoops(this->mesh))
+  , cycles(FindCycles(this->mesh, this->edges, this->loops))
   , previous(FindPrevious(this->mesh))
   , turning(static_cast<Eigen::Index>(this->mesh.boundary.size()))
   , alignedVertices(FindAlignedVertices(this->mesh, this->loops))
@@ -66,12 +67,6 @@ Eigen::Index MeshTopology::LoopCount(BoundaryKind kind) const
 {
   return std::count_if(this->loops.begin(), this->loops.end(),
     [kind](const BoundaryLoop& loop) { return loop.kind == kind; });
-}
-
-int MeshTopology::SideOf(int triangle, int edge) const
-{
-  const auto& sides = this->edges.ofTriangle[static_cast<std::size_t>(triangle)];
-  return static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
 }
 
 std::pair<int, int> MeshTopology::SideOfBoundary(int position) const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "EdgeNumbering.h"
+#include "Cycle.h"
 
 #include <Eigen/Core>
 
@@ -34,6 +34,7 @@ struct MeshTopology
   EdgeNumbering edges;
   std::vector<BoundaryLoop> loops;     ///< Outer loop, inner loops, holes.
   std::vector<BoundaryLoop> imprinted; ///< Imprinted circles.
+  std::vector<Cycle> cycles;           ///< Those of FindCycles.
 
   /// For each entry of mesh.boundary, the entry that ends where it starts.
   std::vector<int> previous;
@@ -62,19 +63,12 @@ struct MeshTopology
   /// Returns the number of loops of a kind.
   Eigen::Index LoopCount(BoundaryKind kind) const;
 
-  /// Returns the triangle across side i of a triangle, from its vertex i to the next one; −1 if there
-  /// is none.
-  int Neighbour(int triangle, int side) const
-  {
-    const auto& two = edges.triangles[static_cast<std::size_t>(EdgeOf(triangle, side))];
-    return two[0] == triangle ? two[1] : two[0];
-  }
+  int Neighbour(int triangle, int side) const { return edges.Neighbour(triangle, side); }
   int EdgeOf(int triangle, int side) const
   {
     return edges.ofTriangle[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(side)];
   }
-  /// Returns the side of a triangle at an edge.
-  int SideOf(int triangle, int edge) const;
+  int SideOf(int triangle, int edge) const { return edges.SideOf(triangle, edge); }
   /// Returns the triangle and its side at an entry of mesh.boundary.
   std::pair<int, int> SideOfBoundary(int position) const;
 

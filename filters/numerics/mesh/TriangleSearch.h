@@ -2,19 +2,24 @@
 
 #include "Index.h"
 
+#include <utility>
 #include <vector>
 
 namespace crossfield
 {
-/// Searches triangles breadth-first from one. `neighbour(triangle, side)` returns the triangle across
+/// Searches triangles breadth-first from given ones. `neighbour(triangle, side)` returns the triangle across
 /// a side, or −1 where the search must not pass; `reach(triangle, side, next)` is called once for each
-/// triangle but the first, after the triangle before it.
+/// other triangle, after the triangle before it.
 template <typename Neighbour, typename Reach>
-void SearchTriangles(int count, int first, const Neighbour& neighbour, const Reach& reach)
+void SearchTriangles(
+  int count, std::vector<int> first, const Neighbour& neighbour, const Reach& reach)
 {
   std::vector<bool> known(Index(count), false);
-  known[Index(first)] = true;
-  std::vector<int> queue = { first };
+  for (const int triangle : first)
+  {
+    known[Index(triangle)] = true;
+  }
+  std::vector<int> queue = std::move(first);
   for (std::size_t at = 0; at < queue.size(); ++at)
   {
     const int triangle = queue[at];

@@ -14,7 +14,7 @@ std::vector<Side> SearchFrom(const ConeMetric& metric, int start)
 {
   std::vector<Side> reached(metric.Triangles().size());
   SearchTriangles(
-    static_cast<int>(reached.size()), start,
+    static_cast<int>(reached.size()), { start },
     [&metric](int t, int side) { return metric.Triangles()[Index(t)].neighbours[Index(side)]; },
     [&reached](int t, int side, int next) {
       reached[Index(next)] = { t, side };

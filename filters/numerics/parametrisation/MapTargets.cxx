@@ -28,7 +28,7 @@ std::vector<double> DirectionsOfSides(const ConeMetric& metric)
   const ConeMetric::Side start = metric.AtBoundary(metric.LoopStarts().front());
   set(start, 0.5 * Pi * triangles[Index(start.triangle)].jumps[Index(start.side)]);
   SearchTriangles(
-    static_cast<int>(triangles.size()), start.triangle,
+    static_cast<int>(triangles.size()), { start.triangle },
     [&](int t, int side) { return triangles[Index(t)].neighbours[Index(side)]; },
     [&](int t, int side, int)
     {

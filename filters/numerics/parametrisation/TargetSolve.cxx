@@ -25,7 +25,7 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
   const MeshTopology& topology = *targets.topology;
   std::vector<int> shift(targets.jumps.size(), 0);
   SearchTriangles(
-    topology.TriangleCount(), 0,
+    topology.TriangleCount(), { 0 },
     [&](int t, int side)
     { return cut.isCut[Index(topology.EdgeOf(t, side))] ? -1 : topology.Neighbour(t, side); },
     [&](int t, int side, int next)

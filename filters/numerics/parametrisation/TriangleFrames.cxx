@@ -29,7 +29,7 @@ public:
     const auto [first, side] = this->Topology.SideOfBoundary(position);
     this->Phase[first] = this->BoundaryPhase(position) - this->StepTo(first, side);
     SearchTriangles(
-      this->Topology.TriangleCount(), first,
+      this->Topology.TriangleCount(), { first },
       [this](int t, int i) { return this->Topology.Neighbour(t, i); },
       [this](int t, int i, int next) { this->Phase[next] = this->Continued(t, i, next); });
     return this->Phase;

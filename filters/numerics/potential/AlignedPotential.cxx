@@ -39,10 +39,10 @@ Eigen::VectorXd SolveConstantOnHoles(
 double AlignedDifference(
   const PotentialProblem& problem, const AlignedSources& sources, Eigen::Index k)
 {
-  const LoopStrip& strip = problem.potential->GetStrips()[static_cast<std::size_t>(k)];
-  return std::arg(problem.alignment.crosses[strip.firstBoundaryEdge] *
-           std::conj(problem.alignment.crosses[strip.lastBoundaryEdge])) +
-    sources.midpointShift[strip.firstBoundaryEdge] - sources.midpointShift[strip.lastBoundaryEdge];
+  const Cycle& cycle = problem.Topology().cycles[static_cast<std::size_t>(k)];
+  return std::arg(problem.alignment.crosses[cycle.firstBoundaryEdge] *
+           std::conj(problem.alignment.crosses[cycle.lastBoundaryEdge])) +
+    sources.midpointShift[cycle.firstBoundaryEdge] - sources.midpointShift[cycle.lastBoundaryEdge];
 }
 
 Eigen::VectorXd NearestOffsets(const Eigen::VectorXd& defects, const Eigen::MatrixXd& inverse)
@@ -117,7 +117,7 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
   holes.AddSources(load, values, Islands);
   result.solution = factor.Substitute(load);
   result.gradient = potential.Gradient(result.solution);
-  result.energy = GradientEnergy(problem.Topology().mesh, result.gradient);
+  result.energy = GradientEnergy(problem.Topology(), result.gradient);
   return result;
 }
 }

@@ -7,10 +7,10 @@ namespace crossfield
 {
 ConformingPhase::Steps::Steps(const PotentialOperator& laplacian)
 {
-  const std::vector<LoopStrip>& strips = laplacian.GetStrips();
-  for (std::size_t k = 0; k < strips.size(); ++k)
+  const std::vector<Cycle>& cycles = laplacian.GetTopology().cycles;
+  for (std::size_t k = 0; k < cycles.size(); ++k)
   {
-    for (const LoopStrip::Step& step : strips[k].steps)
+    for (const Cycle::Step& step : cycles[k].steps)
     {
       this->OfTriangle[step.triangle].push_back({ static_cast<Eigen::Index>(k), &step });
     }
@@ -82,10 +82,10 @@ double ConformingPhase::Jump(int triangle, int vertex) const
   {
     const auto& v =
       this->Laplacian.GetTopology().mesh.triangles[static_cast<std::size_t>(triangle)];
-    const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
+    const auto i = std::find(v.begin(), v.end(), vertex) - v.begin();
     for (const auto& [k, step] : found->second)
     {
-      jump += this->Value[this->Laplacian.PeriodRow(k)] * step->left[i];
+      jump += this->Value[this->Laplacian.PeriodRow(k)] * step->Left()[i];
     }
   }
   return jump;
@@ -102,8 +102,7 @@ void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& g
   for (std::size_t i = 0; i + 1 < along.size(); ++i)
   {
     const auto [from, to] = topology.BoundaryAt(along[i]).vertices;
-    const int edge = topology.EdgeOfBoundary(along[i]);
-    const int triangle = topology.edges.triangles[static_cast<std::size_t>(edge)][0];
+    const int triangle = topology.SideOfBoundary(along[i]).first;
     this->Value[to] =
       this->Value[from] + growth[along[i]] - this->Jump(triangle, to) + this->Jump(triangle, from);
   }
@@ -112,29 +111,16 @@ void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& g
 double ConformingPhase::Transport(Eigen::Index k) const
 {
   const PlanarTopology& topology = this->Laplacian.GetTopology();
-  const LoopStrip& strip = this->Laplacian.GetStrips()[static_cast<std::size_t>(k)];
-  std::array<int, 2> side = topology.BoundaryAt(strip.firstBoundaryEdge).vertices;
   double sum = 0.0;
-  for (const LoopStrip::Step& step : strip.steps)
+  for (const Cycle::Step& step : topology.cycles[static_cast<std::size_t>(k)].steps)
   {
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(step.triangle)];
-    const auto at = [&](int vertex)
-    { return this->Value[vertex] + this->Jump(step.triangle, vertex); };
-    // The strip leaves the triangle by the other side with one end on the left and one on the
-    // right.
-    const auto isLeft = [&](std::size_t i) { return step.left[i] > 0.5; };
-    std::array<int, 2> out = side;
-    for (std::size_t i = 0; i < 3; ++i)
+    const auto at = [&](int side)
     {
-      const std::array<int, 2> candidate = { v[i], v[(i + 1) % 3] };
-      const bool same = std::is_permutation(candidate.begin(), candidate.end(), side.begin());
-      if (isLeft(i) != isLeft((i + 1) % 3) && !same)
-      {
-        out = candidate;
-      }
-    }
-    sum += 0.5 * (at(out[0]) + at(out[1]) - at(side[0]) - at(side[1]));
-    side = out;
+      const int vertex = v[static_cast<std::size_t>(side % 3)];
+      return this->Value[vertex] + this->Jump(step.triangle, vertex);
+    };
+    sum += 0.5 * (at(step.exit) + at(step.exit + 1) - at(step.entry + 1) - at(step.entry));
   }
   return sum;
 }

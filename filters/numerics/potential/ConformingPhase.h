@@ -21,8 +21,7 @@ public:
 
   private:
     friend class ConformingPhase;
-    std::unordered_map<int, std::vector<std::pair<Eigen::Index, const LoopStrip::Step*>>>
-      OfTriangle;
+    std::unordered_map<int, std::vector<std::pair<Eigen::Index, const Cycle::Step*>>> OfTriangle;
   };
 
   /// Sets the boundary values from `growth`, the growth of the phase along every entry of

@@ -58,10 +58,10 @@ Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
       follow(loop, loop.edges.front());
       continue;
     }
-    const LoopStrip& strip = this->Potential.GetStrips()[static_cast<std::size_t>(k)];
-    values.row(strip.lastBoundaryEdge) =
-      values.row(strip.firstBoundaryEdge) + sources.row(this->Potential.PeriodRow(k));
-    follow(loop, strip.lastBoundaryEdge);
+    const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
+    values.row(cycle.lastBoundaryEdge) =
+      values.row(cycle.firstBoundaryEdge) + sources.row(this->Potential.PeriodRow(k));
+    follow(loop, cycle.lastBoundaryEdge);
     ++k;
   }
   return values;

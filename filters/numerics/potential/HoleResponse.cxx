@@ -39,7 +39,7 @@ Eigen::SparseMatrix<double> HoleSources(const PotentialOperator& laplacian)
     {
       continue;
     }
-    const LoopStrip& strip = laplacian.GetStrips()[static_cast<std::size_t>(period)];
+    const Cycle& cycle = topology.cycles[static_cast<std::size_t>(period)];
     const auto size = static_cast<int>(loop.edges.size());
     for (int j = 0; j < size; ++j)
     {
@@ -48,7 +48,7 @@ Eigen::SparseMatrix<double> HoleSources(const PotentialOperator& laplacian)
       const int vertex = topology.BoundaryAt(edge).vertices[0];
       entries.emplace_back(vertex, first + j, 1.0);
       entries.emplace_back(vertex, first + (j + 1) % size, -1.0);
-      if (edge == strip.lastBoundaryEdge)
+      if (edge == cycle.lastBoundaryEdge)
       {
         entries.emplace_back(static_cast<int>(laplacian.PeriodRow(period)), first + j, -1.0);
       }

@@ -274,29 +274,25 @@ std::vector<double> PointPotential::Turns(const BoundaryLog& source) const
 
 std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
 {
-  const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
   const PlanarTopology& topology = this->Problem.Topology();
+  const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
   const auto middle = [&topology](int position)
   { return topology.Midpoint(topology.EdgeOfBoundary(position)); };
-  return { middle(strip.firstBoundaryEdge), middle(strip.lastBoundaryEdge) };
+  return { middle(cycle.firstBoundaryEdge), middle(cycle.lastBoundaryEdge) };
 }
 
 std::vector<Point> PointPotential::StripPath(Eigen::Index k, bool onCurve) const
 {
-  const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
-  const TriangleMesh& mesh = this->Problem.Topology().mesh;
+  const PlanarTopology& topology = this->Problem.Topology();
+  const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
   const std::array<Point, 2> ends = onCurve
-    ? std::array<Point, 2>{ this->Curve.middle[static_cast<std::size_t>(strip.firstBoundaryEdge)],
-        this->Curve.middle[static_cast<std::size_t>(strip.lastBoundaryEdge)] }
+    ? std::array<Point, 2>{ this->Curve.middle[static_cast<std::size_t>(cycle.firstBoundaryEdge)],
+        this->Curve.middle[static_cast<std::size_t>(cycle.lastBoundaryEdge)] }
     : this->StripEnds(k);
   std::vector<Point> path = { ends[0] };
-  for (const LoopStrip::Step& step : strip.steps)
+  for (const Cycle::Step& step : cycle.steps)
   {
-    const auto& v = mesh.triangles[static_cast<std::size_t>(step.triangle)];
-    path.emplace_back(
-      (mesh.points[static_cast<std::size_t>(v[0])] + mesh.points[static_cast<std::size_t>(v[1])] +
-        mesh.points[static_cast<std::size_t>(v[2])]) /
-      3.0);
+    path.push_back(topology.CentreOf(step.triangle));
   }
   path.push_back(ends[1]);
   return path;

@@ -11,31 +11,30 @@ namespace crossfield
 PotentialOperator::PotentialOperator(SharedPlanarTopology topology)
   : Topology(std::move(topology))
   , IslandCount(this->Topology->LoopCount(BoundaryKind::Inner))
-  , Strips(FindLoopStrips(this->Topology->mesh, this->Topology->edges, this->Topology->loops, true))
 {
 }
 
 Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
 {
   const TriangleMesh& mesh = this->Topology->mesh;
-  const std::vector<LoopStrip>& strips = this->Strips;
+  const std::vector<Cycle>& cycles = this->Topology->cycles;
   const Eigen::SparseMatrix<double> stiffness = P1Stiffness(mesh, this->Topology->edges);
-  if (strips.empty())
+  if (cycles.empty())
   {
     return stiffness;
   }
   const Eigen::Index vertexCount = stiffness.rows();
-  const auto size = vertexCount + static_cast<Eigen::Index>(strips.size());
+  const auto size = vertexCount + static_cast<Eigen::Index>(cycles.size());
   std::vector<Eigen::Triplet<double>> border;
-  for (std::size_t k = 0; k < strips.size(); ++k)
+  for (std::size_t k = 0; k < cycles.size(); ++k)
   {
     const auto row = static_cast<int>(vertexCount + static_cast<Eigen::Index>(k));
     // K_T η_k on the triangles of its strip, sorted to find where other strips overlap.
     std::vector<std::pair<int, Eigen::Vector3d>> products;
-    for (const LoopStrip::Step& step : strips[k].steps)
+    for (const Cycle::Step& step : cycles[k].steps)
     {
-      const Eigen::Vector3d product = P1ElementStiffness(this->Topology->ChartOf(step.triangle)) *
-        Eigen::Map<const Eigen::Vector3d>(step.left.data());
+      const Eigen::Vector3d product =
+        P1ElementStiffness(this->Topology->ChartOf(step.triangle)) * step.Left();
       products.emplace_back(step.triangle, product);
       for (std::size_t i = 0; i < 3; ++i)
       {
@@ -46,16 +45,16 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
     }
     std::sort(products.begin(), products.end(),
       [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t l = 0; l < strips.size(); ++l)
+    for (std::size_t l = 0; l < cycles.size(); ++l)
     {
-      for (const LoopStrip::Step& step : strips[l].steps)
+      for (const Cycle::Step& step : cycles[l].steps)
       {
         const auto found = std::lower_bound(products.begin(), products.end(), step.triangle,
           [](const auto& entry, int triangle) { return entry.first < triangle; });
         if (found != products.end() && found->first == step.triangle)
         {
           border.emplace_back(static_cast<int>(vertexCount + static_cast<Eigen::Index>(l)), row,
-            found->second.dot(Eigen::Map<const Eigen::Vector3d>(step.left.data())));
+            found->second.dot(step.Left()));
         }
       }
     }
@@ -138,10 +137,11 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
     });
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
-    for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    for (const Cycle::Step& step : this->Topology->cycles[static_cast<std::size_t>(k)].steps)
     {
-      const Point cut = gradientOf(
-        static_cast<std::size_t>(step.triangle), step.left[0], step.left[1], step.left[2]);
+      const Eigen::Vector3d left = step.Left();
+      const Point cut =
+        gradientOf(static_cast<std::size_t>(step.triangle), left[0], left[1], left[2]);
       for (Eigen::Index c = 0; c < potentials.cols(); ++c)
       {
         gradient.block<2, 1>(2 * c, step.triangle) += potentials(this->PeriodRow(k), c) * cut;
@@ -172,7 +172,7 @@ Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
   }
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
-    for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    for (const Cycle::Step& step : this->Topology->cycles[static_cast<std::size_t>(k)].steps)
     {
       for (std::size_t i = 0; i < 3; ++i)
       {

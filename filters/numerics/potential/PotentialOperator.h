@@ -1,6 +1,5 @@
 #pragma once
 
-#include "LoopStrip.h"
 #include "PlanarTopology.h"
 
 #include <Eigen/Core>
@@ -14,8 +13,8 @@ namespace crossfield
 ///
 /// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop and
 /// hole: the amount by which Ψ grows along a closed path around it with the domain on the left. Ψ
-/// with periods is Ψ + Σ q_k η_k with the cut functions η_k of LoopStrip, whose gradients vanish
-/// outside their strips. The matrix is
+/// with periods is Ψ + Σ q_k η_k with the cut functions η_k of the cycles of the
+/// mesh, whose gradients vanish outside their strips. The matrix is
 ///   [ K  r ; rᵀ R ],  r_k = Σ_T K_T η_k|T,  R_kl = Σ_T η_k|Tᵀ K_T η_l|T,
 /// that of the energy ½ ∫ |∇Ψ + Σ q_k ∇η_k|², positive semidefinite with the constants as kernel.
 ///
@@ -52,12 +51,10 @@ public:
   Eigen::Index PeriodCount(Periods periods = Periods::IslandsAndHoles) const
   {
     return periods == Periods::Islands ? this->IslandCount
-                                       : static_cast<Eigen::Index>(this->Strips.size());
+                                       : static_cast<Eigen::Index>(this->Topology->cycles.size());
   }
   /// Returns the row of the k-th period.
   Eigen::Index PeriodRow(Eigen::Index k) const { return this->VertexCount() + k; }
-  /// Returns the strip of every period.
-  const std::vector<LoopStrip>& GetStrips() const { return this->Strips; }
 
   /// Assembles the matrix. Throws Error when the mesh has degenerate triangles.
   Eigen::SparseMatrix<double> Assemble() const;
@@ -72,6 +69,5 @@ public:
 private:
   SharedPlanarTopology Topology;
   Eigen::Index IslandCount;
-  std::vector<LoopStrip> Strips;
 };
 }

@@ -48,7 +48,6 @@ public:
     return this->Operator.PeriodCount(periods);
   }
   Eigen::Index PeriodRow(Eigen::Index k) const { return this->Operator.PeriodRow(k); }
-  const std::vector<LoopStrip>& GetStrips() const { return this->Operator.GetStrips(); }
   Eigen::MatrixXd Gradient(const Eigen::MatrixXd& potentials) const
   {
     return this->Operator.Gradient(potentials);

@@ -15,9 +15,9 @@ UnitNormField SolveUnitNorm(const PotentialProblem& problem)
   // The phase follows from the gradient turned by 90°, summed from edge to edge.
   const PlanarTopology& topology = problem.Topology();
   const int first = topology.FirstOuterEdge();
-  const Eigen::RowVectorXd phase = IntegrateConjugate(topology.mesh, topology.edges,
-    potential.gradient, topology.EdgeOfBoundary(first),
-    Eigen::VectorXd::Constant(1, std::arg(problem.alignment.crosses[first])));
+  const Eigen::RowVectorXd phase =
+    IntegrateConjugate(topology, potential.gradient, topology.EdgeOfBoundary(first),
+      Eigen::VectorXd::Constant(1, std::arg(problem.alignment.crosses[first])));
   result.u.resize(phase.size());
   ForRanges(phase.size(),
     [&](int begin, int end)

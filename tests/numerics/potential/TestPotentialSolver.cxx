@@ -94,7 +94,8 @@ TEST(PotentialSolver, EnergyOfTheSolutionIsHalfTheWorkOfTheSources)
   {
     const Eigen::VectorXd sources = RandomSources(random, prepared);
     const Eigen::VectorXd solution = prepared.solver.Solve(sources, Everywhere);
-    const double energy = GradientEnergy(prepared.mesh, prepared.solver.Gradient(solution));
+    const double energy =
+      GradientEnergy(prepared.solver.GetTopology(), prepared.solver.Gradient(solution));
     EXPECT_NEAR(energy, 0.5 * sources.dot(solution), 1e-10 * energy);
   }
 }
@@ -183,7 +184,7 @@ TEST(PotentialSolver, ConjugateHasTheJumpsPrescribedBySources)
   }
   const Eigen::Matrix2Xd gradient =
     prepared.solver.Gradient(prepared.solver.Solve(sources, Everywhere));
-  const Eigen::VectorXd phase = IntegrateConjugate(prepared.mesh, prepared.edges, gradient,
+  const Eigen::VectorXd phase = IntegrateConjugate(prepared.solver.GetTopology(), gradient,
     prepared.edges.ofBoundary[0], Eigen::VectorXd::Constant(1, 0.7))
                                   .transpose();
   EXPECT_EQ(phase[prepared.edges.ofBoundary[0]], 0.7);
@@ -201,15 +202,15 @@ TEST(PotentialSolver, ConjugateHasTheJumpsPrescribedBySources)
   }
   for (Eigen::Index k = 0; k < 4; ++k)
   {
-    const auto& strip = prepared.solver.GetStrips()[k];
-    EXPECT_NEAR(phase[prepared.edges.ofBoundary[strip.firstBoundaryEdge]] -
-        phase[prepared.edges.ofBoundary[strip.lastBoundaryEdge]],
+    const Cycle& cycle = prepared.solver.GetTopology().cycles[k];
+    EXPECT_NEAR(phase[prepared.edges.ofBoundary[cycle.firstBoundaryEdge]] -
+        phase[prepared.edges.ofBoundary[cycle.lastBoundaryEdge]],
       sources[prepared.solver.PeriodRow(k)], 1e-10);
   }
   // Discrete conjugacy: φ has the same energy in the other space, and is harmonic inside.
   const SparseMatrix stiffness = CrouzeixRaviartStiffness(prepared.mesh, prepared.edges);
   Eigen::VectorXd residual = stiffness * phase;
-  const double energy = GradientEnergy(prepared.mesh, gradient);
+  const double energy = GradientEnergy(prepared.solver.GetTopology(), gradient);
   EXPECT_NEAR(0.5 * phase.dot(residual), energy, 1e-10 * energy);
   for (int edge : prepared.edges.ofBoundary)
   {
