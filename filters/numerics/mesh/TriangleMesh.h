@@ -1,21 +1,12 @@
 #pragma once
 
+#include "BoundaryKind.h"
 #include "Plane.h"
 
 #include <array>
 
 namespace crossfield
 {
-/// Part of the domain to which a marked edge of a drilled mesh belongs; the values are those of the
-/// array `BoundaryKind`.
-enum class BoundaryKind
-{
-  Outer = 1,
-  Inner = 2,
-  Hole = 3,
-  ImprintedCircle = 4
-};
-
 /// Directed edge of the mesh with the domain on its left.
 struct BoundaryEdge
 {
