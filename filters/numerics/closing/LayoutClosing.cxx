@@ -7,9 +7,9 @@
 #include "Index.h"
 #include "MeshForPoints.h"
 #include "Parts.h"
-#include "QuadSizes.h"
 #include "Quantisation.h"
 #include "TMeshPatches.h"
+#include "TargetLengths.h"
 #include "TraceGraph.h"
 
 #include <algorithm>

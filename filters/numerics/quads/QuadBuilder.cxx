@@ -49,7 +49,7 @@ constexpr std::ptrdiff_t MinimumBuilt = 5000;
 class QuadBuilder
 {
 public:
-  QuadBuilder(const SeamlessMap& map, const BoundaryCurves& curves, const TMesh& mesh,
+  QuadBuilder(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
     const std::vector<int>& counts, double size)
     : Map(map)
     , Separatrices(mesh)
@@ -432,7 +432,7 @@ private:
   const std::vector<int>& Counts;
   const ArcPoints Points;
   UnionFind Classes;
-  const BoundaryCurves& Curves;
+  const MeshBoundary& Curves;
   const double Size;
   std::vector<int>
     Numbers; ///< Index in the mesh of every class of coincident points, −1 if it has none yet.
@@ -441,7 +441,7 @@ private:
 };
 }
 
-QuadMesh BuildQuads(const SeamlessMap& map, const BoundaryCurves& curves, const TMesh& mesh,
+QuadMesh BuildQuads(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
   const std::vector<int>& counts, double size, const BoundarySides& sides)
 {
   return QuadBuilder(map, curves, mesh, counts, size).Build(sides);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoundarySides.h"
+#include "MeshBoundary.h"
 #include "QuadMesh.h"
 #include "TMesh.h"
 
@@ -17,6 +18,6 @@ namespace crossfield
 /// of the cones.
 /// `sides` are the sides of the domain, whose ends are nodes of the T-mesh (SplitAtSides) where they
 /// are fixed.
-QuadMesh BuildQuads(const SeamlessMap& map, const BoundaryCurves& curves, const TMesh& mesh,
+QuadMesh BuildQuads(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
   const std::vector<int>& counts, double size, const BoundarySides& sides = {});
 }

@@ -13,12 +13,13 @@
 #include "PairedArcs.h"
 #include "PrescribedSides.h"
 #include "QuadBuilder.h"
-#include "QuadSides.h"
 #include "QuadSymmetry.h"
 #include "Quantisation.h"
 #include "SidePlacement.h"
 #include "SizeSearch.h"
+#include "SplitAtSides.h"
 #include "Stopwatch.h"
+#include "TargetLengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,7 @@ PlanarDomain DomainOf(const PlanarTopology& topology)
 class Mesher
 {
 public:
-  Mesher(const SeamlessMap& map, const BoundaryCurves& curves, const QuadOptions& options,
+  Mesher(const SeamlessMap& map, const MeshBoundary& curves, const QuadOptions& options,
     QuadResult& result)
     : Map(map)
     , Options(options)
@@ -171,7 +172,7 @@ private:
   static constexpr double AcceptedFraction = 0.5;
 
   /// Returns all sums of edge counts that the options prescribe.
-  static std::vector<CountSum> SumsOf(const SeamlessMap& map, const BoundaryCurves& curves,
+  static std::vector<CountSum> SumsOf(const SeamlessMap& map, const MeshBoundary& curves,
     const QuadOptions& options, const TMesh& tMesh)
   {
     std::vector<CountSum> sums = PairSums(map, curves, options.sides, options.periodic, tMesh);
@@ -390,7 +391,7 @@ private:
   const SeamlessMap& Map;
   const QuadOptions& Options;
   QuadResult& Result;
-  const BoundaryCurves& Curves;
+  const MeshBoundary& Curves;
   const PlanarDomain Domain;
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
@@ -409,7 +410,7 @@ QuadResult MakeQuads(
   }
   QuadResult result;
   result.tMesh = std::move(tMesh);
-  const BoundaryCurves curves(*RequirePlanar(map.topology), options.curves);
+  const MeshBoundary curves(*RequirePlanar(map.topology), options.curves);
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
   SplitAtPairs(map, curves, options.sides, options.periodic, result.tMesh);
   Mesher mesher(map, curves, options, result);

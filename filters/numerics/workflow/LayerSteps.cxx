@@ -288,7 +288,7 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const Qua
   // Corrections of numbers of quads and of edges converge in two or three tries; rounding may take
   // some more.
   constexpr int MaximumTries = 8;
-  const BoundaryCurves curves(*RequirePlanar(map.topology), options.curves);
+  const BoundaryCurves curves(RequirePlanar(map.topology)->AlignedLoops(), options.curves);
   const int separateBlocks = quads.separateBlocks;
   CountsWithLayers sideCounts(request);
   std::optional<QuadResult> best;

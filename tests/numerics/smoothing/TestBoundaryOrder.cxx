@@ -2,6 +2,7 @@
 
 #include "BoundaryOrder.h"
 
+#include "MeshBoundary.h"
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
 #include "QuadMesher.h"
@@ -106,7 +107,7 @@ TEST(QuadEnergy, GradientMatchesForPowersAndOrderOnTheBoundary)
   for (const SeamlessMap& map : { MapOfL(), MapOfRing() })
   {
     const QuadResult result = QuadsOf(map);
-    const BoundaryCurves curves(*RequirePlanar(map.topology));
+    const MeshBoundary curves(*RequirePlanar(map.topology));
     std::vector<double> weights(result.mesh.quads.size());
     for (std::size_t q = 0; q < weights.size(); ++q)
     {
@@ -143,7 +144,7 @@ TEST(QuadEnergy, PowersKeepTheMinimum)
   square.quads = { { 0, 1, 2, 3 } };
   square.targetLengths = { { 2.0, 3.0 } };
   const SharedPlanarTopology topology = ShareTopology(MeshForPoints(LShape(), {}, 0.5));
-  const BoundaryCurves curves(*topology);
+  const MeshBoundary curves(*topology);
   for (const double power : { 1.0, 2.0, 4.0 })
   {
     QuadEnergy energy(square, curves, { true, true, true, true }, 0.2, { 3.0 });
@@ -166,7 +167,7 @@ TEST(QuadEnergy, HoldsTheOrderOnTheBoundary)
   for (const SeamlessMap& map : { MapOfL(), MapOfRing() })
   {
     QuadMesh mesh = QuadsOf(map).mesh;
-    const BoundaryCurves curves(*RequirePlanar(map.topology));
+    const MeshBoundary curves(*RequirePlanar(map.topology));
     const std::vector<double> weights(mesh.quads.size(), 1.0);
     QuadEnergy without(mesh, curves, AllButFixed(mesh), 0.3, weights);
     QuadEnergy with(mesh, curves, AllButFixed(mesh), 0.3, weights);
@@ -216,7 +217,7 @@ TEST(OrderOnBoundary, MovesOnlyPointsOutOfOrder)
   for (const SeamlessMap& map : { MapOfL(), MapOfRing() })
   {
     const QuadMesh ordered = QuadsOf(map).mesh;
-    const BoundaryCurves curves(*RequirePlanar(map.topology));
+    const MeshBoundary curves(*RequirePlanar(map.topology));
     ASSERT_GT(ShortestEdge(ordered, curves), 0.0);
     QuadMesh mesh = ordered;
     OrderOnBoundary(mesh, curves);
@@ -263,7 +264,7 @@ TEST(OrderOnBoundary, SpreadsPointsThatGather)
 {
   const SeamlessMap map = MapOfRing();
   QuadMesh mesh = QuadsOf(map).mesh;
-  const BoundaryCurves curves(*RequirePlanar(map.topology));
+  const MeshBoundary curves(*RequirePlanar(map.topology));
   for (QuadPoint& point : mesh.points)
   {
     if (point.curve.loop >= 0)

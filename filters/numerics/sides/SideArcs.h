@@ -1,7 +1,7 @@
 #pragma once
 
-#include "BoundaryCurves.h"
 #include "BoundarySides.h"
+#include "MeshBoundary.h"
 #include "TMesh.h"
 
 #include "SeamlessMap.h"
@@ -16,7 +16,7 @@ namespace crossfield
 class SideArcs
 {
 public:
-  SideArcs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
+  SideArcs(const SeamlessMap& map, const MeshBoundary& curves, const BoundarySides& sides,
     const TMesh& mesh);
 
   /// Returns the arcs of a side.

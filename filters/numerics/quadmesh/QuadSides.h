@@ -3,18 +3,9 @@
 #include "BoundarySides.h"
 #include "QuadBlock.h"
 #include "QuadMesh.h"
-#include "SidePrescription.h"
-#include "TMesh.h"
-
-#include "SeamlessMap.h"
 
 namespace crossfield
 {
-/// Adds nodes to a T-mesh (SplitBoundaryArcs) where the quads must have one: where the name of the
-/// boundary changes, and at the ends of sides for which something is prescribed.
-void SplitAtSides(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
-  const SidePrescriptions& prescribed, TMesh& mesh);
-
 /// Sorts the boundary edges along their loops and sets the side and the curve of each, those of its
 /// midpoint. Without names, the order stays and there are no sides.
 void NameBoundary(const BoundarySides& sides, const BoundaryCurves& curves, QuadMesh& mesh);

@@ -2,7 +2,8 @@
 
 #include "CurvedLoops.h"
 #include "LoopArc.h"
-#include "PlanarTopology.h"
+
+#include <vector>
 
 namespace crossfield
 {
@@ -13,15 +14,14 @@ struct CurvePlace
   double at = 0.0; ///< Length along the polyline.
 };
 
-/// The boundary loops of a mesh as curves in the plane, parametrised by arc length of the polyline
-/// along the mesh. Where the boundary has a curve, points are on it (CurvedLoops.h).
+/// Boundary loops as curves in the plane, parametrised by the arc length of polylines. Where the
+/// boundary has a curve, points are on it (CurvedLoops.h).
 class BoundaryCurves
 {
 public:
-  explicit BoundaryCurves(const PlanarTopology& topology, const CurvedBoundary& boundary = {});
+  /// `loops` have the domain on their left.
+  explicit BoundaryCurves(const std::vector<Loop>& loops, const CurvedBoundary& boundary = {});
 
-  /// Returns the position at a fraction of an entry of mesh.boundary.
-  CurvePlace Place(int boundaryPosition, double fraction) const;
   /// Returns the point of the plane at a position.
   Point At(const CurvePlace& place) const;
   /// Returns the position on a loop nearest to a point; the vertex if two adjacent edges are
@@ -34,19 +34,11 @@ public:
   int CurveAt(const CurvePlace& place) const;
   /// Returns the polylines.
   const std::vector<LoopArc>& GetArcs() const { return this->Arcs; }
+  const LoopArc& ArcOf(int loop) const { return this->Arcs[static_cast<std::size_t>(loop)]; }
   double Length(int loop) const { return this->ArcOf(loop).Length(); }
-  /// Returns the positions of corner vertices (MeshTopology::corners).
-  std::vector<CurvePlace> Corners() const;
-  /// Returns the entry of mesh.boundary at a position.
-  int PositionAt(const CurvePlace& place) const;
 
 private:
-  const LoopArc& ArcOf(int loop) const { return this->Arcs[static_cast<std::size_t>(loop)]; }
-
-  const PlanarTopology& Topology;
-  std::vector<LoopArc> Arcs; ///< The aligned loops.
+  std::vector<LoopArc> Arcs;
   CurvedLoops Curved;
-  std::vector<std::vector<int>> Positions; ///< Entries of mesh.boundary, per loop and side.
-  std::vector<std::pair<int, std::size_t>> LoopAndEdge; ///< Per entry of mesh.boundary.
 };
 }

@@ -1,4 +1,5 @@
 #include "CoarseQuads.h"
+#include "MeshBoundary.h"
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
 #include "QuadMesher.h"
@@ -50,7 +51,7 @@ TEST(QuadEnergy, GradientMatchesFiniteDifferences)
 {
   const SeamlessMap map = MapOfSix();
   const QuadResult result = QuadsOf(map, 300);
-  const BoundaryCurves curves(*RequirePlanar(map.topology));
+  const MeshBoundary curves(*RequirePlanar(map.topology));
   std::vector<double> weights(result.mesh.quads.size());
   for (std::size_t q = 0; q < weights.size(); ++q)
   {
@@ -79,7 +80,7 @@ TEST(QuadEnergy, IsIdealForTargetRectangles)
 {
   const SeamlessMap map = MapOfSix();
   QuadMesh mesh = QuadsOf(map, 300).mesh;
-  const BoundaryCurves curves(*RequirePlanar(map.topology));
+  const MeshBoundary curves(*RequirePlanar(map.topology));
   const std::vector<double> weights(mesh.quads.size(), 1.0);
   // Distorted quads have a higher energy.
   QuadEnergy energy(mesh, curves, AllButFixed(mesh), 0.2, weights);
@@ -117,7 +118,7 @@ TEST(CoarseQuads, RestrictionIsTheTransposeOfProlongation)
 {
   const SeamlessMap map = MapOfSix();
   const QuadResult result = QuadsOf(map, 3000);
-  const BoundaryCurves curves(*RequirePlanar(map.topology));
+  const MeshBoundary curves(*RequirePlanar(map.topology));
   const std::vector<QuadLattice> lattices = LatticesOf(result.mesh, result.blocks);
   const CoarseQuads coarse(result.mesh, lattices);
   EXPECT_TRUE(coarse.IsSmaller());

@@ -9,15 +9,15 @@ namespace crossfield
 {
 namespace
 {
-CurvePlace FindMiddle(const SeamlessMap& map, const BoundaryCurves& curves, const TArc& arc)
+CurvePlace FindMiddle(const SeamlessMap& map, const MeshBoundary& curves, const TArc& arc)
 {
   const ChartPiece& piece = *FindOnArc(arc, 0.5 * arc.length).piece;
   return FindOnBoundary(map, curves, piece, 0.5 * (piece.from + piece.to));
 }
 }
 
-SideArcs::SideArcs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
-  const TMesh& mesh)
+SideArcs::SideArcs(
+  const SeamlessMap& map, const MeshBoundary& curves, const BoundarySides& sides, const TMesh& mesh)
   : Mesh(mesh)
 {
   const SidesAlong along(sides, curves.GetArcs());

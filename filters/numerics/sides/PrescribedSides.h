@@ -1,7 +1,7 @@
 #pragma once
 
-#include "BoundaryCurves.h"
 #include "BoundarySides.h"
+#include "MeshBoundary.h"
 #include "QuantisationProblem.h"
 #include "SidePrescription.h"
 #include "TMesh.h"
@@ -12,6 +12,6 @@ namespace crossfield
 {
 /// Returns the sums of edge counts that are prescribed, for a T-mesh that is split at the ends of
 /// the sides (SplitAtSides). Throws Error if edges are too long for a part of their side.
-std::vector<CountSum> PrescribedSums(const SeamlessMap& map, const BoundaryCurves& curves,
+std::vector<CountSum> PrescribedSums(const SeamlessMap& map, const MeshBoundary& curves,
   const BoundarySides& sides, const SidePrescriptions& prescribed, const TMesh& mesh);
 }

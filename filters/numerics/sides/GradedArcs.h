@@ -1,7 +1,7 @@
 #pragma once
 
-#include "BoundaryCurves.h"
 #include "BoundarySides.h"
+#include "MeshBoundary.h"
 #include "QuantisationProblem.h"
 #include "SidePrescription.h"
 #include "TMesh.h"
@@ -15,7 +15,7 @@ namespace crossfield
 class GradedArcs
 {
 public:
-  GradedArcs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
+  GradedArcs(const SeamlessMap& map, const MeshBoundary& curves, const BoundarySides& sides,
     const SidePrescriptions& prescribed, const TMesh& mesh);
 
   /// Replaces the target edge counts of the arcs by those of the progressions, so that the numbers

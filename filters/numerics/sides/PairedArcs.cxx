@@ -15,7 +15,7 @@ namespace
 class PartEnds
 {
 public:
-  PartEnds(const BoundaryCurves& curves, const BoundarySides& sides, const PairedSides& pair)
+  PartEnds(const MeshBoundary& curves, const BoundarySides& sides, const PairedSides& pair)
     : Curves(curves)
     , First(FindSpan(sides, curves.GetArcs(), pair.first))
     , Second(FindSpan(sides, curves.GetArcs(), pair.second))
@@ -104,7 +104,7 @@ private:
     return static_cast<std::size_t>(after - ends.begin()) - 1;
   }
 
-  const BoundaryCurves& Curves;
+  const MeshBoundary& Curves;
   const SideSpan First;
   const SideSpan Second;
   std::vector<double> OnFirst; ///< Arc lengths from the start of the side.
@@ -112,7 +112,7 @@ private:
 };
 }
 
-void SplitAtPairs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
+void SplitAtPairs(const SeamlessMap& map, const MeshBoundary& curves, const BoundarySides& sides,
   const std::vector<PairedSides>& pairs, TMesh& mesh)
 {
   for (const PairedSides& pair : pairs)
@@ -121,7 +121,7 @@ void SplitAtPairs(const SeamlessMap& map, const BoundaryCurves& curves, const Bo
   }
 }
 
-std::vector<CountSum> PairSums(const SeamlessMap& map, const BoundaryCurves& curves,
+std::vector<CountSum> PairSums(const SeamlessMap& map, const MeshBoundary& curves,
   const BoundarySides& sides, const std::vector<PairedSides>& pairs, const TMesh& mesh)
 {
   std::vector<CountSum> sums;

@@ -8,7 +8,7 @@
 
 namespace crossfield
 {
-GradedArcs::GradedArcs(const SeamlessMap& map, const BoundaryCurves& curves,
+GradedArcs::GradedArcs(const SeamlessMap& map, const MeshBoundary& curves,
   const BoundarySides& sides, const SidePrescriptions& prescribed, const TMesh& mesh)
   : Prescribed(prescribed)
 {

@@ -50,7 +50,7 @@ CountSum SumOf(const std::vector<int>& arcs, int minimum, int maximum, std::stri
 }
 }
 
-std::vector<CountSum> PrescribedSums(const SeamlessMap& map, const BoundaryCurves& curves,
+std::vector<CountSum> PrescribedSums(const SeamlessMap& map, const MeshBoundary& curves,
   const BoundarySides& sides, const SidePrescriptions& prescribed, const TMesh& mesh)
 {
   std::vector<CountSum> sums;

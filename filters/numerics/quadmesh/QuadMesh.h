@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoundaryCurves.h"
+#include "BoundaryKind.h"
 #include "PairedSides.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "BoundaryCurves.h"
+#include "MeshBoundary.h"
 #include "TMesh.h"
 
 #include "SeamlessMap.h"
@@ -19,5 +19,5 @@ ArcPosition FindOnArc(const TArc& arc, double distance);
 
 /// Returns the position on the boundary of a point in the map on a piece along the boundary.
 CurvePlace FindOnBoundary(
-  const SeamlessMap& map, const BoundaryCurves& curves, const ChartPiece& piece, const Point& w);
+  const SeamlessMap& map, const MeshBoundary& curves, const ChartPiece& piece, const Point& w);
 }

@@ -26,7 +26,7 @@ ArcPosition FindOnArc(const TArc& arc, double distance)
 }
 
 CurvePlace FindOnBoundary(
-  const SeamlessMap& map, const BoundaryCurves& curves, const ChartPiece& piece, const Point& w)
+  const SeamlessMap& map, const MeshBoundary& curves, const ChartPiece& piece, const Point& w)
 {
   const int side = map.topology->SideOfBoundary(piece.position).second;
   const Point& from = map.At(piece.triangle, side);
