@@ -179,6 +179,7 @@ constexpr const char* IrregularValence = "IrregularValence";
 constexpr const char* IrregularObtained = "IrregularObtained";
 constexpr const char* IrregularRequested = "IrregularRequested";
 constexpr const char* ScaledJacobianRange = "ScaledJacobianRange";
+constexpr const char* ScaledJacobianRangeBefore = "ScaledJacobianRangeBefore";
 constexpr const char* ScaledJacobianBound = "ScaledJacobianBound";
 constexpr const char* EtaRange = "EtaRange";
 constexpr const char* SizeRange = "SizeRange";

@@ -123,7 +123,7 @@ struct Rule
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 26> Rules = { {
+constexpr std::array<Rule, 27> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
   { "DrawingReader", 0, ShowOutline },
@@ -147,6 +147,7 @@ constexpr std::array<Rule, 26> Rules = { {
   { "QuadMesher", 5, Hide<ShowOutline> },
   { "QuadMesher", 6, Look::ShowSingularities, Look::SetSingularityColours },
   { "QuadMesher", 7, Hide<ShowLines> },
+  { "SmoothQuads", 0, ShowQuads, SetBlockColours },
   // ParaView 5.11 crashes if edges of order 2 have a Nonlinear Subdivision Level above 1.
   { "QuadsToHigherOrder", 0, ShowQuads, SetBlockColours },
   { "ExtrudeQuads", 0, ShowQuads, SetBlockColours },

@@ -38,6 +38,7 @@ PROXIES = {
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
                    "RepairHolonomy SplitSingularities Curves"),
+    "SmoothQuads": ("filters", "Input SlideOnBoundary CornerAngle UniformSizes"),
     "QuadsToHigherOrder": ("filters", "Input Boundary Order"),
     "ExtrudeQuads": ("filters", "Input Boundary Motion Layers Height Angle Axis"),
     "QuadMeshWriter": ("writers", "Input FileName MshVersion"),

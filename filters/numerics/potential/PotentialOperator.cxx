@@ -174,10 +174,11 @@ Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
   {
     for (const Cycle::Step& step : this->Topology->cycles[static_cast<std::size_t>(k)].steps)
     {
+      const Eigen::Vector3d left = step.Left();
       for (std::size_t i = 0; i < 3; ++i)
       {
         sources[this->PeriodRow(k)] +=
-          step.left[i] * load(static_cast<std::size_t>(step.triangle), i);
+          left[static_cast<Eigen::Index>(i)] * load(static_cast<std::size_t>(step.triangle), i);
       }
     }
   }

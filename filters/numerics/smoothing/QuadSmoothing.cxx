@@ -69,7 +69,7 @@ public:
     {
       energy.HoldOrderOnBoundary();
     }
-    const bool large = level.mesh.quads.size() > MaximumAlone;
+    const bool large = level.mesh.quads.size() > MaximumAlone && !level.lattices.empty();
     int steps = this->Untangle(energy, descent, unknowns, progress);
     if (energy.MinimumDeterminant(unknowns) > 0.0)
     {
@@ -325,7 +325,7 @@ int SmoothUniform(
 {
   const Smoother fixed(curves, false, sizePart);
   const Smoother released(curves, true, sizePart);
-  if (level.mesh.quads.size() > MaximumAlone)
+  if (level.mesh.quads.size() > MaximumAlone && !level.lattices.empty())
   {
     CoarseQuads coarse(level.mesh, level.lattices);
     if (coarse.IsSmaller())

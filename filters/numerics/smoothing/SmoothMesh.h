@@ -1,0 +1,42 @@
+#pragma once
+
+#include "BoundaryCorners.h"
+#include "QuadQuality.h"
+#include "QuadSmoothing.h"
+
+namespace crossfield
+{
+/// A quad mesh in the plane, from any program. Points that no quad has are allowed.
+struct PlainQuads
+{
+  std::vector<Point> points;
+  std::vector<std::array<int, 4>> quads; ///< In either orientation.
+};
+
+struct MeshSmoothingOptions
+{
+  /// Points of the boundary slide along the polyline of its edges, corners stay; otherwise all points
+  /// of the boundary stay.
+  bool slides = true;
+  double cornerAngle = DefaultCornerAngle; ///< In radians; turns by more are corners.
+  /// Quads should have the same size; otherwise the size that they have.
+  bool uniform = false;
+};
+
+struct SmoothedMesh
+{
+  std::vector<Point> points; ///< In the order of the input.
+  QuadQuality before;        ///< With quads that are counter-clockwise.
+  QuadQuality after;
+  SmoothingReport report;
+};
+
+/// Smooths a quad mesh with SmoothQuads (docs/method.md §14.5). Irregular points inside move, too.
+/// Neighbours are oriented alike, and the total area of each connected part is positive.
+///
+/// Without `uniform` the result is the input where its minimum scaled Jacobian is larger. Throws Error
+/// if there is no quad, a quad has a point twice, an edge has more than two quads, a part cannot be
+/// oriented or has no area, or the boundary touches itself in a point.
+SmoothedMesh SmoothMesh(
+  const PlainQuads& mesh, const MeshSmoothingOptions& options, const Progress& progress = {});
+}

@@ -1,0 +1,186 @@
+#include "SmoothMesh.h"
+
+#include "Support.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+/// A grid of n × n quads on [0, 1]², whose points are moved at random by up to a part of the size of
+/// quads: inside, and along the sides.
+PlainQuads Grid(int n, double part, Random& random)
+{
+  PlainQuads mesh;
+  const auto at = [n](int i, int j) { return j * (n + 1) + i; };
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      const double x = i % n == 0 ? 0.0 : random.Uniform(-part, part);
+      const double y = j % n == 0 ? 0.0 : random.Uniform(-part, part);
+      mesh.points.emplace_back((i + x) / n, (j + y) / n);
+    }
+  }
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      mesh.quads.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
+    }
+  }
+  return mesh;
+}
+
+/// Quads of the triangles of a disk, three of each: as other programs divide triangles.
+PlainQuads DividedTriangles(double meshSize)
+{
+  const TriangleMesh triangles = DrillMesh(Builtin("disk"), {}, meshSize);
+  const EdgeNumbering edges = NumberEdges(triangles);
+  PlainQuads mesh;
+  mesh.points = triangles.points;
+  for (const auto& [from, to] : edges.vertices)
+  {
+    mesh.points.push_back(0.5 * (triangles.points[from] + triangles.points[to]));
+  }
+  for (std::size_t t = 0; t < triangles.triangles.size(); ++t)
+  {
+    const auto& v = triangles.triangles[t];
+    const int centre = static_cast<int>(mesh.points.size());
+    mesh.points.push_back(
+      (triangles.points[v[0]] + triangles.points[v[1]] + triangles.points[v[2]]) / 3.0);
+    const auto middle = [&](int i)
+    { return static_cast<int>(triangles.points.size()) + edges.ofTriangle[t][i % 3]; };
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh.quads.push_back({ v[i], middle(i), centre, middle(i + 2) });
+    }
+  }
+  return mesh;
+}
+
+double LargestDistance(const std::vector<Point>& a, const std::vector<Point>& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    largest = std::max(largest, (a[i] - b[i]).norm());
+  }
+  return largest;
+}
+
+TEST(SmoothMesh, EqualSquaresAreTheMinimumOfEqualSizes)
+{
+  // The energy of the regular grid is the smallest possible, and only that grid has it.
+  Random random(1101);
+  Random none(1);
+  MeshSmoothingOptions options;
+  options.uniform = true;
+  for (const int n : { 8, 80 }) // alone, and with coarser meshes
+  {
+    const PlainQuads mesh = Grid(n, 0.4, random);
+    const SmoothedMesh smoothed = SmoothMesh(mesh, options);
+    EXPECT_LE(LargestDistance(smoothed.points, Grid(n, 0.0, none).points), 0.02 / n) << n;
+    EXPECT_LT(smoothed.before.jacobian.min, 0.8);
+    EXPECT_GT(smoothed.after.jacobian.min, 0.99);
+  }
+}
+
+TEST(SmoothMesh, BoundaryStaysIfItShould)
+{
+  Random random(1102);
+  const PlainQuads mesh = Grid(10, 0.4, random);
+  MeshSmoothingOptions options;
+  options.slides = false;
+  const SmoothedMesh smoothed = SmoothMesh(mesh, options);
+  int moved = 0;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    const Point& place = mesh.points[p];
+    const bool onBoundary = place.x() * (1.0 - place.x()) * place.y() * (1.0 - place.y()) < 1e-12;
+    moved += smoothed.points[p] != place ? 1 : 0;
+    EXPECT_TRUE(!onBoundary || smoothed.points[p] == place);
+  }
+  EXPECT_GT(moved, 60);
+  EXPECT_GT(smoothed.after.jacobian.min, smoothed.before.jacobian.min);
+}
+
+TEST(SmoothMesh, RepairsInvertedQuads)
+{
+  Random random(1103);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    PlainQuads mesh = Grid(8, 0.2, random);
+    for (int k = 0; k < 3; ++k)
+    {
+      // far beyond its neighbours
+      const int p = random.Integer(1, 7) * 9 + random.Integer(1, 7);
+      mesh.points[p] += Point(random.Uniform(-0.4, 0.4), random.Uniform(-0.4, 0.4));
+    }
+    const SmoothedMesh smoothed = SmoothMesh(mesh, {});
+    EXPECT_GT(smoothed.before.inverted, 0);
+    EXPECT_EQ(smoothed.after.inverted, 0);
+    EXPECT_GT(smoothed.after.jacobian.min, 0.5);
+  }
+}
+
+TEST(SmoothMesh, ImprovesUnstructuredMeshes)
+{
+  for (const double meshSize :
+    { 0.2, 0.03 }) // below and above the number that coarser meshes are for
+  {
+    const PlainQuads mesh = DividedTriangles(meshSize);
+    const SmoothedMesh smoothed = SmoothMesh(mesh, {});
+    EXPECT_EQ(smoothed.after.inverted, 0);
+    EXPECT_GT(smoothed.after.jacobian.min, smoothed.before.jacobian.min);
+    EXPECT_GT(smoothed.after.jacobian.mean, smoothed.before.jacobian.mean + 0.01);
+    for (const Point& place : smoothed.points)
+    {
+      EXPECT_LT(place.norm(), 1.0 + 1e-12); // sliding leads along chords
+    }
+  }
+}
+
+TEST(SmoothMesh, OrientationAndOrderOfCornersDoNotMatter)
+{
+  Random random(1104);
+  const PlainQuads mesh = Grid(9, 0.3, random);
+  PlainQuads other = mesh;
+  for (auto& quad : other.quads)
+  {
+    std::rotate(quad.begin(), quad.begin() + random.Integer(0, 3), quad.end());
+    if (random.Integer(0, 1) == 1)
+    {
+      std::reverse(quad.begin(), quad.end());
+    }
+  }
+  EXPECT_LE(LargestDistance(SmoothMesh(mesh, {}).points, SmoothMesh(other, {}).points), 1e-4);
+}
+
+TEST(SmoothMesh, RefusesWhatIsNoMesh)
+{
+  Random random(1105);
+  const PlainQuads grid = Grid(2, 0.0, random);
+  const auto refuses = [](const PlainQuads& mesh, const std::string& words)
+  { return Refuses([&] { SmoothMesh(mesh, {}); }, { words }); };
+  EXPECT_TRUE(refuses({ grid.points, {} }, "The mesh has no quads"));
+  PlainQuads mesh = grid;
+  mesh.quads[0][1] = mesh.quads[0][0];
+  EXPECT_TRUE(refuses(mesh, "has a point twice"));
+  mesh = grid;
+  mesh.quads.push_back({ 0, 1, 4, 6 });
+  EXPECT_TRUE(refuses(mesh, "has more than two quads"));
+  mesh = { { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 } },
+    { { 0, 1, 2, 3 }, { 2, 4, 5, 6 } } };
+  EXPECT_TRUE(refuses(mesh, "The boundary touches itself near (1, 1)"));
+  mesh = { { { 0, 0 }, { 0, 0 }, { 0, 0 }, { 0, 0 } }, { { 0, 1, 2, 3 } } };
+  EXPECT_TRUE(refuses(mesh, "have no area"));
+  // A Möbius strip of three quads.
+  mesh = { { { 0, 0 }, { 0, 1 }, { 1, 0 }, { 1, 1 }, { 2, 0 }, { 2, 2 } },
+    { { 0, 2, 3, 1 }, { 2, 4, 5, 3 }, { 4, 1, 0, 5 } } };
+  EXPECT_TRUE(refuses(mesh, "cannot be oriented"));
+}
+}
+}

@@ -1,0 +1,139 @@
+// Quad meshes of vtkPlaneSource, that is of ParaView's Plane, and of polygons with lines beside them.
+
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
+#include "vtkSmoothQuads.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+/** A grid of quads in a plane through three points, with points inside moved along its axes. */
+vtkSmartPointer<vtkPolyData> MovedPlane(int n, double part)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(1.0, 2.0, 3.0);
+  plane->SetPoint1(3.0, 2.0, 4.0);
+  plane->SetPoint2(1.0, 4.0, 3.5);
+  plane->SetResolution(n, n);
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->Update();
+  vtkSmartPointer<vtkPolyData> mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->DeepCopy(plane->GetOutput());
+  for (int j = 1; j < n; ++j)
+  {
+    for (int i = 1; i < n; ++i)
+    {
+      const double s = part / n * std::sin(7.0 * i + 3.0 * j);
+      const double t = part / n * std::sin(5.0 * i - 2.0 * j);
+      double p[3];
+      mesh->GetPoint(j * (n + 1) + i, p);
+      mesh->GetPoints()->SetPoint(
+        j * (n + 1) + i, p[0] + 2.0 * s, p[1] + 2.0 * t, p[2] + s + 0.5 * t);
+    }
+  }
+  return mesh;
+}
+
+class SmoothQuads : public testing::Test
+{
+public:
+  double Minimum(const char* name)
+  {
+    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
+      ->GetComponent(0, 0);
+  }
+
+  vtkNew<vtkSmoothQuads> Filter;
+};
+}
+
+TEST_F(SmoothQuads, QuadsOfAPlaneInSpaceBecomeBetter)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = MovedPlane(12, 0.4);
+  this->Filter->SetInputData(mesh);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_LT(this->Minimum("ScaledJacobianRangeBefore"), 0.7);
+  EXPECT_GT(this->Minimum("ScaledJacobianRange"), 0.9);
+  EXPECT_EQ(this->Minimum("Inverted"), 0.0);
+  vtkPointSet* output = this->Filter->GetOutput();
+  EXPECT_TRUE(output->IsA("vtkPolyData"));
+  EXPECT_EQ(output->GetNumberOfCells(), 144);
+  vtkDataArray* jacobians = FilterChecks::RequireArray(output->GetCellData(), "ScaledJacobian");
+  EXPECT_DOUBLE_EQ(jacobians->GetRange()[0], this->Minimum("ScaledJacobianRange"));
+  EXPECT_NE(output->GetPointData()->GetTCoords(), nullptr);
+  const double normal[3] = { -2.0, -1.0, 4.0 }; // (2, 0, 1) × (0, 2, 1/2)
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    EXPECT_NEAR(
+      normal[0] * (p[0] - 1.0) + normal[1] * (p[1] - 2.0) + normal[2] * (p[2] - 3.0), 0.0, 1e-12);
+  }
+}
+
+TEST_F(SmoothQuads, KeepsLinesAndPointsThatNoQuadHas)
+{
+  vtkNew<vtkPolyData> mesh;
+  mesh->DeepCopy(MovedPlane(6, 0.3));
+  const vtkIdType single = mesh->GetPoints()->InsertNextPoint(1.0, 2.0, 3.0);
+  mesh->GetPointData()->Initialize(); // an array of texture coordinates would lack a tuple
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, single });
+  mesh->SetLines(lines);
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = TestInputs::AsUnstructuredGrid(mesh);
+  this->Filter->SetInputData(grid);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  vtkPointSet* output = this->Filter->GetOutput();
+  EXPECT_TRUE(output->IsA("vtkUnstructuredGrid"));
+  EXPECT_EQ(output->GetNumberOfCells(), 37);
+  EXPECT_EQ(output->GetPoint(single)[0], 1.0);
+  EXPECT_EQ(
+    FilterChecks::RequireArray(output->GetCellData(), "ScaledJacobian")->GetRange()[1], 1.0);
+}
+
+TEST_F(SmoothQuads, WarnsAboutInvertedQuads)
+{
+  vtkNew<vtkPolyData> mesh;
+  mesh->DeepCopy(MovedPlane(1, 0.0));
+  mesh->GetPoints()->SetPoint(0, 3.0, 4.0, 4.5); // on the opposite corner
+  this->Filter->SetInputData(mesh);
+  this->Filter->SlideOnBoundaryOff();
+  FilterChecks::MessageRecorder recorder(this->Filter);
+  this->Filter->Update();
+  ASSERT_EQ(recorder.warnings.size(), 1U);
+  EXPECT_NE(recorder.warnings[0].find("1 quads are inverted"), std::string::npos);
+}
+
+TEST_F(SmoothQuads, RefusesOtherCells)
+{
+  this->Filter->SetInputData(TestInputs::FrameMesh());
+  FilterChecks::CaptureError(
+    this->Filter, { "has cells that are not quads", "give a mesh of quads" });
+}
+
+TEST_F(SmoothQuads, KeepsTheConventionsOfFilters)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = MovedPlane(10, 0.3);
+  this->Filter->SetInputData(mesh);
+  FilterChecks::CheckInputUntouched(this->Filter);
+  FilterChecks::CheckRunTwice(
+    this->Filter, [&] { this->Filter->UniformSizesOff(); },
+    [&] { this->Filter->UniformSizesOn(); });
+  FilterChecks::CheckProgressAndAbort(this->Filter);
+  FilterChecks::CheckPrintSelf(this->Filter, { "SlideOnBoundary", "CornerAngle", "UniformSizes" });
+  FilterChecks::CheckEmptyInput(this->Filter);
+}
