@@ -4,9 +4,9 @@
 #include "ArcPosition.h"
 #include "BoundaryOrder.h"
 #include "ChartWalk.h"
-#include "Error.h"
 #include "Index.h"
 #include "Parts.h"
+#include "QuadNodes.h"
 #include "QuadSides.h"
 
 #include <algorithm>
@@ -70,8 +70,8 @@ public:
     this->PlaceArcPoints();
     this->BuildPatches();
     this->AddBoundary();
-    this->CountValences();
-    this->FixCorners();
+    CountValences(*this->Map.topology, this->Mesh);
+    FixCorners(this->Curves, this->Mesh);
     OrderOnBoundary(this->Mesh, this->Curves);
     NameBoundary(sides, this->Curves, this->Mesh);
     return std::move(this->Mesh);
@@ -374,55 +374,6 @@ private:
         const auto number = [this, half](int k)
         { return this->PointNumbers[Index(this->Points.At(half, k))]; };
         this->Mesh.boundary.push_back({ { number(j), number(j + 1) }, edge.kind, edge.id });
-      }
-    }
-  }
-
-  void CountValences()
-  {
-    for (const auto& quad : this->Mesh.quads)
-    {
-      for (const int point : quad)
-      {
-        ++this->Mesh.points[Index(point)].valence;
-      }
-    }
-    const MeshTopology& topology = *this->Map.topology;
-    if (this->Mesh.EulerCharacteristic() != topology.edges.EulerCharacteristic(topology.mesh))
-    {
-      throw Error("The quads do not cover the domain; use a smaller size.");
-    }
-    for (const QuadPoint& point : this->Mesh.points)
-    {
-      if (point.valence != (point.curve.loop < 0 ? 4 : 2) - point.quarterIndex)
-      {
-        throw Error("The node at " + Describe(point.place) + " has " +
-          std::to_string(point.valence) + " quads, not the requested number; use a smaller size.");
-      }
-    }
-  }
-
-  /// Moves the nearest boundary point to every corner that is not a cone.
-  void FixCorners()
-  {
-    for (const CurvePlace& corner : this->Curves.Corners())
-    {
-      const Point place = this->Curves.At(corner);
-      QuadPoint* nearest = nullptr;
-      double distance = 2.0 * this->Curves.Length(corner.loop);
-      for (QuadPoint& point : this->Mesh.points)
-      {
-        if (point.curve.loop == corner.loop && (point.place - place).norm() < distance)
-        {
-          distance = (point.place - place).norm();
-          nearest = &point;
-        }
-      }
-      if (nearest != nullptr && !nearest->fixed)
-      {
-        nearest->curve = corner;
-        nearest->place = place;
-        nearest->fixed = true;
       }
     }
   }

@@ -1,6 +1,5 @@
 #include "QuadEnergy.h"
 
-#include "BoundaryOrder.h"
 #include "Index.h"
 #include "Parts.h"
 
@@ -15,9 +14,6 @@ namespace
 {
 /// Minimum number of quads in a part: their energy takes half a millisecond.
 constexpr std::ptrdiff_t MinimumQuads = 10000;
-
-/// Part of a loop up to which an edge is not penalised: that of eight equal edges.
-constexpr double Free = 0.125;
 
 /// The sides of a quad divided by their target lengths, two in each direction. Corner (i, j) is
 /// between a_i and b_j.
@@ -333,7 +329,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   }
   if (gradient == nullptr || !std::isfinite(energy))
   {
-    return energy + this->BoundaryValue(unknowns, nullptr);
+    return energy + this->Order.Value(unknowns, nullptr);
   }
   for (const Image& image : this->Images)
   {
@@ -356,7 +352,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
       { gradient->segment(begin, end - begin) -= this->Slope.segment(begin, end - begin); },
       MinimumUnknowns);
   }
-  energy += this->BoundaryValue(unknowns, gradient);
+  energy += this->Order.Value(unknowns, gradient);
   for (const int p : this->Fixed)
   {
     gradient->segment<2>(FirstUnknown(p)).setZero();
@@ -366,7 +362,6 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
 
 void QuadEnergy::HoldOrderOnBoundary()
 {
-  const std::vector<int> twins = this->Mesh.Twins();
   std::vector<bool> isFixed(this->Mesh.points.size(), false);
   for (const int p : this->Fixed)
   {
@@ -377,68 +372,7 @@ void QuadEnergy::HoldOrderOnBoundary()
   {
     isImage[Index(image.second)] = true;
   }
-  this->BoundaryTerms.clear();
-  for (int side = 0; side < static_cast<int>(twins.size()); ++side)
-  {
-    const std::size_t q = Index(side / 4);
-    const int from = this->Mesh.quads[q][Index(side % 4)];
-    const int to = this->Mesh.quads[q][Index((side + 1) % 4)];
-    const CurvePlace& start = this->Mesh.points[Index(from)].curve;
-    const CurvePlace& end = this->Mesh.points[Index(to)].curve;
-    if (twins[Index(side)] >= 0 || start.loop < 0 || start.loop != end.loop ||
-      isImage[Index(from)] || isImage[Index(to)]) // in order if the other side is
-    {
-      continue;
-    }
-    const double loop = this->Curves.Length(start.loop);
-    const double length = LengthAlong(start, end, loop);
-    if (!(length > 0.0))
-    {
-      this->BoundaryTerms.clear();
-      return;
-    }
-    // The unknowns of fixed points are not lengths.
-    const double moving =
-      (isFixed[Index(to)] ? 0.0 : end.at) - (isFixed[Index(from)] ? 0.0 : start.at);
-    this->BoundaryTerms.push_back(
-      { isFixed[Index(from)] ? -1 : FirstUnknown(from), isFixed[Index(to)] ? -1 : FirstUnknown(to),
-        length - moving, 1.0 / this->Mesh.targetLengths[q][Index(side % 2)],
-        length < LongestPartOfLoop * loop ? 1.0 / loop : 0.0 });
-  }
-}
-
-double QuadEnergy::BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient) const
-{
-  const auto at = [&unknowns](Eigen::Index unknown)
-  { return unknown < 0 ? 0.0 : unknowns[unknown]; };
-  double energy = 0.0;
-  for (const BoundaryTerm& term : this->BoundaryTerms)
-  {
-    const double along = at(term.to) - at(term.from) + term.offset;
-    const double length = term.inverse * along;
-    const double excess =
-      std::max(0.0, (term.inverseLoop * along - Free) / (LongestPartOfLoop - Free));
-    if (!(length > 0.0) || !(excess < 1.0))
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    energy += length + 1.0 / length + excess * excess * excess / (1.0 - excess);
-    if (gradient != nullptr)
-    {
-      const double slope = term.inverse * (1.0 - 1.0 / (length * length)) +
-        term.inverseLoop / (LongestPartOfLoop - Free) * excess * excess * (3.0 - 2.0 * excess) /
-          ((1.0 - excess) * (1.0 - excess));
-      if (term.to >= 0)
-      {
-        (*gradient)[term.to] += slope;
-      }
-      if (term.from >= 0)
-      {
-        (*gradient)[term.from] -= slope;
-      }
-    }
-  }
-  return energy;
+  this->Order = OrderEnergy(this->Mesh, this->Curves, isFixed, isImage);
 }
 
 double QuadEnergy::MinimumDeterminant(const Eigen::VectorXd& unknowns)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "OrderEnergy.h"
 #include "PointCorners.h"
 #include "QuadMesh.h"
 
@@ -13,12 +14,6 @@ namespace crossfield
 {
 /// Minimum number of unknowns in a part: a pass over vectors does little with each.
 constexpr std::ptrdiff_t MinimumUnknowns = 20000;
-
-/// Returns the index of the first of the two unknowns of a point.
-inline Eigen::Index FirstUnknown(int point)
-{
-  return 2 * static_cast<Eigen::Index>(point);
-}
 
 /// The shape energy of a quad mesh (docs/method.md §14.5; Garanzha et al. 2021): at each corner of
 /// each quad, with J the map from the target rectangle and D = det J,
@@ -40,10 +35,7 @@ public:
   /// Returns the unknowns of the mesh as it is.
   Eigen::VectorXd Unknowns() const;
   void SetPower(double power) { this->Power = power; }
-  /// Adds d + 1/d + t³ / (1 − t) per boundary edge, d its length along the boundary over the
-  /// target, t = max(0, (c − 1/8) / (LongestPartOfLoop − 1/8)), c its part of the loop: points that
-  /// slide along the boundary keep their order, and no edge leads around so much of a loop. No
-  /// effect if they are not in order; no t if an edge is too long at the start.
+  /// Adds an OrderEnergy: points that slide along the boundary keep their order.
   void HoldOrderOnBoundary();
   /// Subtracts tilt · (unknowns − origin) from the energy, to prescribe the gradient at the origin.
   void Tilt(const Eigen::VectorXd& tilt, const Eigen::VectorXd& origin);
@@ -67,17 +59,6 @@ public:
   const Eigen::VectorXd& Curvature() const { return this->Diagonal; }
 
 private:
-  /// A boundary edge: d = inverse (s_to − s_from + offset), s the lengths along the loop;
-  /// −1 instead of the unknown of a fixed point, whose length is part of the offset.
-  struct BoundaryTerm
-  {
-    Eigen::Index from;
-    Eigen::Index to;
-    double offset;
-    double inverse;
-    double inverseLoop; ///< 1 / (length of the loop); 0 if the edge is longer.
-  };
-
   /// A point whose position is the image of that of another point.
   struct Image
   {
@@ -89,9 +70,6 @@ private:
 
   /// Collects the images, of points that move.
   void FindImages(const std::vector<bool>& moves);
-  /// Returns the energy of the boundary edges, infinite if they are not in order, and adds its
-  /// gradient.
-  double BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient) const;
   /// Sets Positions.
   void SetPositions(const Eigen::VectorXd& unknowns);
   /// Returns the energy of a range of the quads. Calls store(quad, gradients at its four points) for
@@ -109,7 +87,7 @@ private:
   std::vector<int> Fixed; ///< Fixed points and images.
   std::vector<Image> Images;
   std::vector<int> OnBoundary; ///< Points that move along the boundary.
-  std::vector<BoundaryTerm> BoundaryTerms;
+  OrderEnergy Order;
   Eigen::VectorXd Diagonal;
   Eigen::VectorXd Slope;                     ///< The tilt, empty if there is none.
   Eigen::VectorXd Origin;                    ///< Unknowns at which the tilt vanishes.

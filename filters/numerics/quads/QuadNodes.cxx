@@ -1,0 +1,56 @@
+#include "QuadNodes.h"
+
+#include "Error.h"
+#include "Index.h"
+
+#include <string>
+
+namespace crossfield
+{
+void CountValences(const MeshTopology& topology, QuadMesh& mesh)
+{
+  for (const auto& quad : mesh.quads)
+  {
+    for (const int point : quad)
+    {
+      ++mesh.points[Index(point)].valence;
+    }
+  }
+  if (mesh.EulerCharacteristic() != topology.edges.EulerCharacteristic(topology.mesh))
+  {
+    throw Error("The quads do not cover the domain; use a smaller size.");
+  }
+  for (const QuadPoint& point : mesh.points)
+  {
+    if (point.valence != (point.curve.loop < 0 ? 4 : 2) - point.quarterIndex)
+    {
+      throw Error("The node at " + Describe(point.place) + " has " + std::to_string(point.valence) +
+        " quads, not the requested number; use a smaller size.");
+    }
+  }
+}
+
+void FixCorners(const MeshBoundary& curves, QuadMesh& mesh)
+{
+  for (const CurvePlace& corner : curves.Corners())
+  {
+    const Point place = curves.At(corner);
+    QuadPoint* nearest = nullptr;
+    double distance = 2.0 * curves.Length(corner.loop);
+    for (QuadPoint& point : mesh.points)
+    {
+      if (point.curve.loop == corner.loop && (point.place - place).norm() < distance)
+      {
+        distance = (point.place - place).norm();
+        nearest = &point;
+      }
+    }
+    if (nearest != nullptr && !nearest->fixed)
+    {
+      nearest->curve = corner;
+      nearest->place = place;
+      nearest->fixed = true;
+    }
+  }
+}
+}
