@@ -7,6 +7,7 @@
 #include "QuadSizes.h"
 #include "QuadSmoothing.h"
 #include "SidePrescription.h"
+#include "TMesh.h"
 
 #include "SeamlessMap.h"
 
