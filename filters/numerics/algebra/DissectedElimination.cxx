@@ -88,6 +88,70 @@ EliminatedPart EliminateInLeaf(const PartialCholesky& leaf, Eigen::Index border,
   }
   return result;
 }
+
+/// A part below another one, and the rows of that one at its border.
+struct PartBelow
+{
+  EliminatedPart& part;
+  const std::vector<int>& places;
+};
+
+/// Returns the rows of a part before its elimination, block after block: its own entries and what the
+/// parts below add, whose matrices are freed. Sets the numbers of the blocks.
+Eigen::MatrixXd LoadRows(Eigen::Index count, const std::vector<PartOfBlock>& own,
+  const std::vector<PartBelow>& below, const std::vector<Eigen::Index>& firsts,
+  std::vector<int>& active)
+{
+  for (const PartOfBlock& entries : own)
+  {
+    active.push_back(entries.block);
+  }
+  for (const PartBelow& from : below)
+  {
+    active.insert(active.end(), from.part.blocks.begin(), from.part.blocks.end());
+  }
+  std::sort(active.begin(), active.end());
+  active.erase(std::unique(active.begin(), active.end()), active.end());
+  const auto widthOf = [&firsts](int block)
+  { return firsts[static_cast<std::size_t>(block) + 1] - firsts[static_cast<std::size_t>(block)]; };
+  std::vector<Eigen::Index> starts = { 0 }; // columns of the active blocks
+  for (const int block : active)
+  {
+    starts.push_back(starts.back() + widthOf(block));
+  }
+  const auto startOf = [&](int block)
+  {
+    return starts[static_cast<std::size_t>(
+      std::lower_bound(active.begin(), active.end(), block) - active.begin())];
+  };
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, starts.back());
+  for (const PartOfBlock& entries : own)
+  {
+    const Eigen::Index start = startOf(entries.block);
+    for (const Eigen::Triplet<double>& entry : entries.entries)
+    {
+      rows(entry.row(), start + entry.col()) += entry.value();
+    }
+  }
+  for (const PartBelow& from : below)
+  {
+    Eigen::Index column = 0;
+    for (const int block : from.part.blocks)
+    {
+      const Eigen::Index start = startOf(block);
+      for (Eigen::Index c = 0; c < widthOf(block); ++c, ++column)
+      {
+        for (std::size_t k = 0; k < from.places.size(); ++k)
+        {
+          rows(from.places[k], start + c) +=
+            from.part.atBorder(static_cast<Eigen::Index>(k), column);
+        }
+      }
+    }
+    from.part.atBorder.resize(0, 0);
+  }
+  return rows;
+}
 }
 
 Eigen::MatrixXd DissectedCholesky::SparseEliminated::TransposeTimes(
@@ -175,60 +239,13 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
   std::vector<EliminatedPart> parts(this->Parts.size());
   const auto load = [&](std::size_t i, std::vector<int>& active)
   {
-    const Part& part = this->Parts[i];
-    for (const PartOfBlock& own : ofParts[i])
+    std::vector<PartBelow> below;
+    for (const int part : this->Parts[i].below)
     {
-      active.push_back(own.block);
+      const auto p = static_cast<std::size_t>(part);
+      below.push_back({ parts[p], this->Parts[p].inParent });
     }
-    for (const int below : part.below)
-    {
-      const std::vector<int>& others = parts[static_cast<std::size_t>(below)].blocks;
-      active.insert(active.end(), others.begin(), others.end());
-    }
-    std::sort(active.begin(), active.end());
-    active.erase(std::unique(active.begin(), active.end()), active.end());
-    std::vector<Eigen::Index> starts = { 0 }; // columns of the active blocks
-    for (const int block : active)
-    {
-      starts.push_back(starts.back() + firsts[static_cast<std::size_t>(block) + 1] -
-        firsts[static_cast<std::size_t>(block)]);
-    }
-    const auto startOf = [&](int block)
-    {
-      return starts[static_cast<std::size_t>(
-        std::lower_bound(active.begin(), active.end(), block) - active.begin())];
-    };
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(part.Rows(), starts.back());
-    for (const PartOfBlock& own : ofParts[i])
-    {
-      const Eigen::Index start = startOf(own.block);
-      for (const Eigen::Triplet<double>& entry : own.entries)
-      {
-        rows(entry.row(), start + entry.col()) += entry.value();
-      }
-    }
-    for (const int below : part.below)
-    {
-      EliminatedPart& from = parts[static_cast<std::size_t>(below)];
-      const std::vector<int>& places = this->Parts[static_cast<std::size_t>(below)].inParent;
-      Eigen::Index column = 0;
-      for (const int block : from.blocks)
-      {
-        const Eigen::Index start = startOf(block);
-        const Eigen::Index width =
-          firsts[static_cast<std::size_t>(block) + 1] - firsts[static_cast<std::size_t>(block)];
-        for (Eigen::Index c = 0; c < width; ++c)
-        {
-          for (std::size_t k = 0; k < places.size(); ++k)
-          {
-            rows(places[k], start + c) += from.atBorder(static_cast<Eigen::Index>(k), column + c);
-          }
-        }
-        column += width;
-      }
-      from.atBorder.resize(0, 0);
-    }
-    return rows;
+    return LoadRows(this->Parts[i].Rows(), ofParts[i], below, firsts, active);
   };
   this->ForParts(true, true,
     [&](std::size_t i)

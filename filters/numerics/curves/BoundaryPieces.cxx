@@ -8,6 +8,7 @@
 #include "SplineThrough.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,17 +18,8 @@ namespace
 {
 const char* NameOf(CurveDeclaration::Kind kind)
 {
-  switch (kind)
-  {
-  case CurveDeclaration::Kind::Circle:
-    return "circle";
-  case CurveDeclaration::Kind::Ellipse:
-    return "ellipse";
-  case CurveDeclaration::Kind::Spline:
-    return "spline";
-  default:
-    return "line";
-  }
+  constexpr std::array<const char*, 4> Names = { "line", "circle", "ellipse", "spline" };
+  return Names[static_cast<std::size_t>(kind)];
 }
 
 /// Consecutive segments of a loop.

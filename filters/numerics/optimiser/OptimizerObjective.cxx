@@ -1,6 +1,7 @@
 #include "OptimizerObjective.h"
 
 #include "DomainQueries.h"
+#include "PositionCurvature.h"
 #include "Segment.h"
 
 #include <algorithm>
@@ -160,8 +161,8 @@ Eigen::MatrixXd OptimizerObjective::Hessian(
 {
   const Configuration moved = this->At(current.positions);
   this->Solves->Spend(this->HessianCost());
-  const PositionEnergy::Curvature curvature =
-    this->Positions->Differentiate(moved, this->Symmetry.defects.transpose() * multipliers);
+  const PositionCurvature curvature =
+    Differentiate(*this->Positions, moved, this->Symmetry.defects.transpose() * multipliers);
   Eigen::MatrixXd hessian = curvature.hessian;
   if (this->Sizes)
   {

@@ -42,7 +42,7 @@ public:
   Value Evaluate(const PointPotential& potential, const PointPotential::Solution& solution) const;
 
   /// Returns the second derivatives of J by the coordinates of the singularities. `regular`: the
-  /// derivatives of R (PositionEnergy::Curvature).
+  /// derivatives of R (PositionCurvature).
   Eigen::MatrixXd Differentiate(const PointPotential& potential,
     const PointPotential::Solution& solution, const Eigen::MatrixXd& regular) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundarySamples.h"
 #include "EdgePotential.h"
 #include "RenormalizedEnergy.h"
 
@@ -37,30 +38,16 @@ public:
   /// Without `derivatives` all gradients are empty.
   Value Evaluate(const Configuration& configuration, bool derivatives = true) const;
 
-  /// Second derivatives of W by the coordinates of the singularities, two per singularity.
-  struct Curvature
-  {
-    /// Second derivatives of the single-valued W plus those of the holonomy defects times
-    /// multipliers.
-    Eigen::MatrixXd hessian;
-    /// First derivatives of the regular part R, a column per coordinate; rows of PotentialOperator.
-    Eigen::MatrixXd regular;
-  };
-
-  /// Computes the second derivatives (docs/method.md §5.9) for singularities as for Evaluate. The
-  /// response of R to moves is that at the vertices, without that at the midpoints of edges, which
-  /// would cost three times as much: it is smaller by the relative error of P1, at most a few per
-  /// cent, and everything else is exact. Costs one back-substitution per coordinate.
-  Curvature Differentiate(
-    const Configuration& configuration, const Eigen::VectorXd& multipliers) const;
-
   const PointPotential& GetPotential() const { return *this->Potential; }
   /// Returns the number of points of the boundary at which logarithms are evaluated.
-  Eigen::Index PointCount() const { return this->Points.rows(); }
+  Eigen::Index PointCount() const { return this->Samples.points.rows(); }
 
   const EdgePotential& GetEdgePotential() const { return this->OnEdges; }
 
 private:
+  friend struct PositionCurvature Differentiate(
+    const PositionEnergy&, const Configuration&, const Eigen::VectorXd&);
+
   /// Factors of the derivatives of arg|x − b| and log|x − b| at the points of the boundary.
   struct PointFactors
   {
@@ -74,8 +61,6 @@ private:
   Flows Solve(const Configuration& configuration, PointPotential::Solution& solution,
     Eigen::VectorXd& regular) const;
   PointFactors FindFactors(const Flows& flows, const Eigen::VectorXd& regular) const;
-  /// Returns the response of R on every half to fluxes through the halves, and sets R at vertices.
-  Eigen::MatrixXd Respond(const Eigen::MatrixXd& fluxes, Eigen::MatrixXd& atVertices) const;
   /// Adds the interaction of the logarithms to the energy and the gradient.
   void AddInteraction(
     const std::vector<LogSource>& logs, std::size_t inside, RenormalizedEnergyValue& value) const;
@@ -86,10 +71,7 @@ private:
 
   std::shared_ptr<const PointPotential> Potential;
   EdgePotential OnEdges;
-  /// Coordinates of the starts of the entries of mesh.boundary, then of their midpoints.
-  Eigen::ArrayX2d Points;
-  std::vector<Eigen::Index> Starts;      ///< The point at which each half starts.
-  std::vector<Eigen::Index> Ends;        ///< The point at which each half ends.
+  BoundarySamples Samples;
   std::vector<std::vector<Point>> Paths; ///< PointPotential::StripPath on the polygon.
   Eigen::VectorXd BoundaryTurns; ///< Turns of the logarithms at the boundary along each strip.
   double BoundaryInteraction = 0.0;

@@ -5,7 +5,7 @@
 #include "BuiltinDomains.h"
 #include "DrillHoles.h"
 #include "MakePlanarDomain.h"
-#include "PositionEnergy.h"
+#include "PositionCurvature.h"
 #include "RenormalizedEnergy.h"
 #include "SingularityOptimizer.h"
 #include "Support.h"
@@ -73,7 +73,7 @@ void ExpectHessianOfJ(const std::shared_ptr<const PointPotential>& potential,
   const SizeUniformity& uniformity, const Configuration& configuration)
 {
   const Eigen::MatrixXd regular =
-    PositionEnergy(potential).Differentiate(configuration, Eigen::VectorXd()).regular;
+    Differentiate(PositionEnergy(potential), configuration, Eigen::VectorXd()).regular;
   const Eigen::MatrixXd hessian =
     uniformity.Differentiate(*potential, potential->Solve(configuration), regular);
   Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(hessian.rows(), hessian.cols());
