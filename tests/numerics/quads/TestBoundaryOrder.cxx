@@ -2,13 +2,13 @@
 
 #include "BoundaryOrder.h"
 
+#include "Layouts.h"
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
 #include "QuadMesher.h"
 #include "QuadSizes.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ QuadResult QuadsOf(const SeamlessMap& map)
 {
   QuadOptions options;
   options.quadCount = 200;
-  return MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  return MakeQuads(LayoutOf(map), options);
 }
 
 SeamlessMap MapOfL()
