@@ -80,12 +80,13 @@ private:
   void WriteDesign(
     const crossfield::LayoutDesign& design, const crossfield::DomainPlane& plane, bool stale) const
   {
-    const MapConversion::Map map{ design.map, plane };
+    const crossfield::Layout& layout = design.layouts.Single();
+    const MapConversion::Map map{ layout.map, plane };
     TMeshConversion::WriteTraces(map, design.separatrices, {}, 0.0, this->Separatrices);
     LayoutConversion::AddShade(stale, this->Separatrices);
-    PatchConversion::WritePatches(map, design.mesh, this->Patches);
+    PatchConversion::WritePatches(map, layout.tMesh, this->Patches);
     LayoutConversion::AddColours(design.colours, stale, this->Patches);
-    TMeshConversion::AddCounts(design.mesh, this->Patches->GetFieldData());
+    TMeshConversion::AddCounts(layout.tMesh, this->Patches->GetFieldData());
     if (design.quads)
     {
       QuadConversion::WriteQuads(*design.quads, plane, this->Quads);

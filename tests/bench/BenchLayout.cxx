@@ -74,7 +74,7 @@ void DragLayout(benchmark::State& state)
     domain.MeshOn(Twelve(step + 1));
     inserted += stopwatch.Lap();
     const LayoutDesign design = DesignLayout(domain, Twelve(++step), options);
-    state.counters["faces"] = static_cast<double>(design.mesh.patches.size());
+    state.counters["faces"] = static_cast<double>(design.layouts.Single().tMesh.patches.size());
     if (design.quads)
     {
       state.counters["integers"] = design.quads->counts.seconds;
@@ -107,10 +107,10 @@ void DragRing(benchmark::State& state)
     }
     configuration[0].position.x() += 1e-3 * std::sin(0.1 * static_cast<double>(++step));
     const LayoutDesign design = DesignLayout(domain, configuration);
-    state.counters["triangles"] = static_cast<double>(design.map.corners.size());
-    state.counters["stretch"] =
-      design.map.flattening ? design.map.flattening->PredictedStretch() : 1;
-    state.counters["iterations"] = design.map.flattening ? design.map.flattening->iterations : 0;
+    const SeamlessMap& map = design.layouts.Single().map;
+    state.counters["triangles"] = static_cast<double>(map.corners.size());
+    state.counters["stretch"] = map.flattening ? map.flattening->PredictedStretch() : 1;
+    state.counters["iterations"] = map.flattening ? map.flattening->iterations : 0;
   }
 }
 

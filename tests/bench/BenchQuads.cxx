@@ -63,8 +63,7 @@ void MapToQuads(benchmark::State& state)
   const SharedPlanarTopology topology = TopologyOnPoints(state.range(0));
   for (auto _ : state)
   {
-    const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());
-    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), {});
+    const QuadResult result = MakeQuads(LayoutSet(LayOut(topology, EightHoles(), {}, false)), {});
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
   }
 }
@@ -72,12 +71,12 @@ void MapToQuads(benchmark::State& state)
 /// Measures smoothed quads of one map of 10,000 triangles, by their number.
 void Quads(benchmark::State& state)
 {
-  const SeamlessMap map = SolveSeamlessMap(TopologyOnPoints(10000), EightHoles());
+  const LayoutSet layouts(LayOut(TopologyOnPoints(10000), EightHoles(), {}, false));
   QuadOptions options;
   options.quadCount = static_cast<int>(state.range(0));
   for (auto _ : state)
   {
-    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+    const QuadResult result = MakeQuads(layouts, options);
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
     state.counters["iterations"] = result.smoothing.iterations;
     state.counters["layout"] = result.layoutSeconds;

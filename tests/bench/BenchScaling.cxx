@@ -108,17 +108,17 @@ void MeasureQuads(int quads)
 {
   BuiltinDomain disk;
   disk.edgeLength = MeshSizeFor(10000);
-  const SeamlessMap map = SolveSeamlessMap(
-    ShareTopology(
-      MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength)),
-    EightHoles());
+  const LayoutSet layouts(
+    LayOut(ShareTopology(MeshThroughPoints(
+             MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength)),
+      EightHoles(), {}, false));
   for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform })
   {
     QuadOptions options;
     options.quadCount = quads;
     options.sizes.sizing = sizing;
     Measure(sizing == Sizing::Conformal ? "many quads" : "many quads of uniform size",
-      [&] { MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options); });
+      [&] { MakeQuads(layouts, options); });
   }
 }
 }

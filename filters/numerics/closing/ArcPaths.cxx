@@ -132,4 +132,23 @@ std::optional<ArcPath> ArcPaths::Of(int arc) const
   path.pieces.insert(path.pieces.end(), last->pieces.begin(), last->pieces.end());
   return path;
 }
+
+std::vector<ArcPath> ArcPaths::Joined() const
+{
+  std::vector<ArcPath> joined;
+  for (int h = 0; h < static_cast<int>(this->Mesh.halfEdges.size()); ++h)
+  {
+    const int cone = this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(h)].node)].cone;
+    if (cone < 0 || this->Mesh.arcs[Index(h / 2)].onBoundary)
+    {
+      continue;
+    }
+    std::optional<Way> way = this->Follow(h, 1.0);
+    if (way && cone < way->cone) // otherwise the path is found from its other end
+    {
+      joined.push_back({ cone, way->cone, std::move(way->pieces) });
+    }
+  }
+  return joined;
+}
 }

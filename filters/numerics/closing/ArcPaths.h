@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <optional>
+#include <vector>
 
 namespace crossfield
 {
@@ -37,6 +38,10 @@ public:
   /// Returns the path of an arc. Empty if one of its ends is on an extra separatrix, which starts on
   /// the boundary and at no cone.
   std::optional<ArcPath> Of(int arc) const;
+
+  /// Returns the straight paths from cone to cone along separatrices that meet, each once. Unfolded,
+  /// they have direction 1; the imaginary part of end minus start is 0 while they meet.
+  std::vector<ArcPath> Joined() const;
 
 private:
   /// The path from the end of an arc along a separatrix to its cone.

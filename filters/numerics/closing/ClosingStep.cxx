@@ -55,7 +55,12 @@ ClosingStep SolveClosing(const ClosingConditions& conditions)
   const double damping = (isNear ? NearDamping : FarDamping) * values[0];
   if (values[0] > 0.0)
   {
-    const Eigen::ArrayXd factors = values.array() / (values.array().square() + damping * damping);
+    Eigen::ArrayXd factors = values.array() / (values.array().square() + damping * damping);
+    if (conditions.exact && isNear)
+    {
+      factors = (values.array() > ReachableFraction * values[0])
+                  .select(values.array().inverse(), Eigen::ArrayXd::Zero(values.size()));
+    }
     step.moves += free * (svd.matrixV() * (factors * coordinates.array()).matrix());
   }
   const Eigen::Index rank = RankOf(svd, ReachableFraction);

@@ -14,6 +14,8 @@ struct ClosingConditions
   Eigen::VectorXd length;  ///< The lengths now, in sides of quads.
   Eigen::MatrixXd defects; ///< Derivatives of holonomy defects, a row per inner loop.
   Eigen::VectorXd defect;  ///< The defects now, radians of θ.
+  /// Solves without damping once all lengths are below a tenth of a quad, for lengths of 0 exactly.
+  bool exact = false;
 };
 
 /// A step towards the conditions.

@@ -5,10 +5,8 @@
 #include "DomainQueries.h"
 #include "Error.h"
 #include "Index.h"
-#include "MeshForPoints.h"
 #include "Parts.h"
 #include "Quantisation.h"
-#include "TMeshPatches.h"
 #include "TargetLengths.h"
 #include "TraceGraph.h"
 
@@ -28,6 +26,9 @@ constexpr double DefectTolerance = 0.01; // radians of θ
 constexpr double LargestStep = 0.4;
 /// Minimum reduction of the longest arc or the largest defect by a step that was not shortened.
 constexpr double MinimumReduction = 0.2;
+/// Numbers of steps without half the residual after which exact closing steps aside, and gives up.
+constexpr int IdleBeforeAside = 4;
+constexpr int MaximumIdle = 16;
 
 /// Returns the edge counts for quads larger by `coarseness`; those of some arcs are at least 1.
 std::vector<int> CoarseCounts(const TMesh& tMesh, const ClosingOptions& options, double coarseness,
@@ -44,6 +45,12 @@ std::vector<int> CoarseCounts(const TMesh& tMesh, const ClosingOptions& options,
     problem.lower[Index(arc)] = 1;
   }
   return Quantise(tMesh, problem, SearchEffort::Quick).counts;
+}
+
+/// Returns the length, in quads, below which an arc has vanished.
+double LengthToleranceFor(const Layout& layout, const ClosingOptions& options)
+{
+  return options.exact ? SameIsoline * layout.map.Extent() / options.size : LengthTolerance;
 }
 
 /// Returns whether a map has singularities inside.
@@ -78,28 +85,38 @@ Eigen::VectorXd Clearances(
 class Linearisation
 {
 public:
-  Linearisation(
-    const PlanarDomain& domain, const ClosingLayout& layout, const ClosingOptions& options)
-    : Layout(layout)
+  /// `defects` are the values that holonomy defects should have; 0 if empty.
+  Linearisation(const PlanarDomain& domain, const Layout& layout,
+    const std::vector<double>& defects, const ClosingOptions& options)
+    : Start(layout)
     , Options(options)
-    , Response(layout.map, layout.potential)
+    , Response(layout.map, layout.map.flattening ? nullptr : layout.potential)
     , Scale(Clearances(domain, Response, Response.GetMoving().size()))
   {
     this->Conditions.defects = this->Response.GetDefectDerivatives() * this->Scale.asDiagonal();
     this->Conditions.defect.resize(this->Conditions.defects.rows());
     for (Eigen::Index k = 0; k < this->Conditions.defect.size(); ++k)
     {
-      this->Conditions.defect[k] = 0.25 * layout.map.holonomyDefect[static_cast<std::size_t>(k)];
+      const auto loop = static_cast<std::size_t>(k);
+      const double defect = layout.map.holonomyDefect[loop];
+      this->Conditions.defect[k] =
+        0.25 * (defects.empty() ? defect : WrapAngle(defect - defects[loop]));
     }
     const ArcPaths paths(layout.map, layout.tMesh);
+    if (options.exact)
+    {
+      this->Conditions.exact = true;
+      for (const ArcPath& path : paths.Joined())
+      {
+        this->Joined.push_back(this->RowOf(path));
+      }
+    }
     this->ChooseArcs(paths);
   }
 
-  /// Returns whether there is no condition that can be fulfilled.
-  bool IsEmpty() const { return this->Conditions.length.size() == 0; }
   double LargestLength() const
   {
-    return this->IsEmpty() ? 0.0 : this->Conditions.length.maxCoeff();
+    return this->Arcs.empty() ? 0.0 : this->Conditions.length.maxCoeff();
   }
   double LargestDefect() const
   {
@@ -107,10 +124,14 @@ public:
                                                : this->Conditions.defect.cwiseAbs().maxCoeff();
   }
 
-  /// Returns the singularities after the step, and sets whether it was shortened.
-  Configuration Next(bool& shortened) const
+  /// Returns the singularities after the step, and sets whether it was shortened. Every singularity
+  /// also moves at a right angle to its step by `aside` times its length: where steps alternate
+  /// between two triangulations, this leads to others.
+  Configuration Next(double aside, bool& shortened) const
   {
-    Configuration next = this->Layout.singularities;
+    Eigen::Matrix2d turn;
+    turn << 1.0, -aside, aside, 1.0;
+    Configuration next = this->Start.singularities;
     double largest = 0.0;
     const auto count = static_cast<Eigen::Index>(this->Response.GetMoving().size());
     for (Eigen::Index m = 0; m < count; ++m)
@@ -123,17 +144,23 @@ public:
     {
       const Cone& cone = this->Response.ConeOf(static_cast<std::size_t>(m));
       next[Index(cone.row)].position +=
-        fraction * this->Scale[2 * m] * this->Step.moves.segment<2>(2 * m);
+        fraction * this->Scale[2 * m] * (turn * this->Step.moves.segment<2>(2 * m));
     }
     return next;
   }
 
 private:
-  /// Sets conditions for all arcs without edges that are not left out.
+  /// Returns the derivatives of a path in clearances and quads.
+  Eigen::RowVectorXd RowOf(const ArcPath& path) const
+  {
+    return DifferentiateArc(this->Response, path) * this->Scale.asDiagonal() / this->Options.size;
+  }
+
+  /// Sets conditions for all arcs without edges that are not left out, then for separatrices that
+  /// are joined.
   void SetConditions(const std::vector<int>& counts, const std::vector<int>& leftOut)
   {
     this->Arcs.clear();
-    std::vector<Eigen::RowVectorXd> rows;
     for (int arc = 0; arc < static_cast<int>(counts.size()); ++arc)
     {
       const bool isLeftOut = std::find(leftOut.begin(), leftOut.end(), arc) != leftOut.end();
@@ -143,13 +170,18 @@ private:
       }
     }
     const auto count = static_cast<Eigen::Index>(this->Arcs.size());
-    this->Conditions.lengths.resize(count, this->Response.Columns());
-    this->Conditions.length.resize(count);
+    const auto joined = static_cast<Eigen::Index>(this->Joined.size());
+    this->Conditions.lengths.resize(count + joined, this->Response.Columns());
+    this->Conditions.length = Eigen::VectorXd::Zero(count + joined);
+    for (Eigen::Index row = 0; row < joined; ++row)
+    {
+      this->Conditions.lengths.row(count + row) = this->Joined[static_cast<std::size_t>(row)];
+    }
     for (Eigen::Index row = 0; row < count; ++row)
     {
       const std::size_t arc = Index(this->Arcs[static_cast<std::size_t>(row)]);
       this->Conditions.lengths.row(row) = this->Rows[arc];
-      this->Conditions.length[row] = this->Layout.tMesh.arcs[arc].length / this->Options.size;
+      this->Conditions.length[row] = this->Start.tMesh.arcs[arc].length / this->Options.size;
     }
   }
 
@@ -178,8 +210,7 @@ private:
           const int arc = arcs[Index(i)];
           if (const std::optional<ArcPath> path = paths.Of(arc))
           {
-            this->Rows[Index(arc)] = DifferentiateArc(this->Response, *path) *
-              this->Scale.asDiagonal() / this->Options.size;
+            this->Rows[Index(arc)] = this->RowOf(*path);
           }
         }
       },
@@ -193,7 +224,7 @@ private:
     // Integer problems of a large T-mesh take as long as a map. What remains is left out.
     constexpr int MaximumProblems = 10;
     const auto countsFor = [this](double coarseness, const std::vector<int>& kept)
-    { return CoarseCounts(this->Layout.tMesh, this->Options, coarseness, kept); };
+    { return CoarseCounts(this->Start.tMesh, this->Options, coarseness, kept); };
     const std::vector<int> fine = countsFor(1.0, {});
     std::vector<int> kept;
     std::vector<int> leftOut;
@@ -204,13 +235,19 @@ private:
       this->DifferentiateArcs(paths, counts);
       this->SetConditions(counts, leftOut);
       this->Step = SolveClosing(this->Conditions);
-      if (this->Step.unreachable.empty())
+      // Joined separatrices, whose rows follow those of arcs, are not given up.
+      std::vector<Eigen::Index>& rows = this->Step.unreachable;
+      rows.erase(
+        std::remove_if(rows.begin(), rows.end(),
+          [&](Eigen::Index row) { return row >= static_cast<Eigen::Index>(this->Arcs.size()); }),
+        rows.end());
+      if (rows.empty())
       {
         return;
       }
       const bool isLast = problems == MaximumProblems;
       const std::size_t before = kept.size();
-      for (const Eigen::Index row : this->Step.unreachable)
+      for (const Eigen::Index row : rows)
       {
         const int arc = this->Arcs[static_cast<std::size_t>(row)];
         (isLast || fine[Index(arc)] == 0 ? leftOut : kept).push_back(arc);
@@ -223,28 +260,17 @@ private:
     }
   }
 
-  const ClosingLayout& Layout;
+  const Layout& Start;
   const ClosingOptions& Options;
   const PositionResponse Response;
-  const Eigen::VectorXd Scale;          ///< Clearances.
-  std::vector<Eigen::RowVectorXd> Rows; ///< Derivatives of arcs; empty if they have no path.
-  std::vector<bool> IsKnown;            ///< Whether the row of an arc was computed.
-  std::vector<int> Arcs;                ///< The arcs of the conditions.
+  const Eigen::VectorXd Scale;            ///< Clearances.
+  std::vector<Eigen::RowVectorXd> Rows;   ///< Derivatives of arcs; empty if they have no path.
+  std::vector<bool> IsKnown;              ///< Whether the row of an arc was computed.
+  std::vector<int> Arcs;                  ///< The arcs of the conditions.
+  std::vector<Eigen::RowVectorXd> Joined; ///< Derivatives of offsets between joined separatrices.
   ClosingConditions Conditions;
   ClosingStep Step;
 };
-}
-
-ClosingLayout LayOut(const PlanarDomain& domain, const Configuration& singularities,
-  const SeamlessMapOptions& options, double meshSize, const Progress& progress)
-{
-  const SharedPlanarTopology topology =
-    ShareTopology(MeshThroughPoints(domain, singularities, meshSize, progress.Part(0.0, 0.3)));
-  auto potential = std::make_shared<const PotentialSolver>(topology, progress.Part(0.3, 0.5));
-  SeamlessMap map =
-    SolveSeamlessMap(topology, singularities, options, progress.Part(0.5, 0.9), potential);
-  TMesh tMesh = MakeTMesh(map, TraceSeparatrices(map, progress.Part(0.9, 1.0)));
-  return { singularities, std::move(map), std::move(tMesh), std::move(potential) };
 }
 
 std::vector<int> FindArcsToClose(const TMesh& tMesh, const ClosingOptions& options)
@@ -261,37 +287,60 @@ std::vector<int> FindArcsToClose(const TMesh& tMesh, const ClosingOptions& optio
   return arcs;
 }
 
-ClosingResult CloseLayout(const PlanarDomain& domain, ClosingLayout start,
-  const ClosingOptions& options, const Progress& progress)
+ClosingResult CloseLayout(
+  const PlanarDomain& domain, Layout start, const ClosingOptions& options, const Progress& progress)
 {
   ClosingResult result;
+  const Configuration first = start.singularities;
+  const std::vector<double> defects =
+    options.exact ? start.map.holonomyDefect : std::vector<double>();
   result.layout = std::move(start);
   double previous = 0.0;
   bool shortened = true;
+  double best = std::numeric_limits<double>::infinity();
+  int lastGain = 0; // number of maps when the residual was last halved
   for (;;)
   {
-    // Flat metrics are on another triangulation of the domain than the potential.
-    if (result.layout.map.flattening || !HasMoving(result.layout.map))
+    // Derivatives are inaccurate where a flat metric differs from that of the potential.
+    if ((result.layout.map.flattening && !options.exact) || !HasMoving(result.layout.map))
     {
       return result;
     }
-    const Linearisation linearised(domain, result.layout, options);
+    const Linearisation linearised(domain, result.layout, defects, options);
+    const double tolerance = LengthToleranceFor(result.layout, options);
     result.longest = linearised.LargestLength();
-    result.converged =
-      result.longest < LengthTolerance && linearised.LargestDefect() < DefectTolerance;
+    result.converged = result.longest < tolerance && linearised.LargestDefect() < DefectTolerance;
     const double residual =
-      std::max(result.longest / LengthTolerance, linearised.LargestDefect() / DefectTolerance);
-    const bool stalls = !shortened && residual > (1.0 - MinimumReduction) * previous;
+      std::max(result.longest / tolerance, linearised.LargestDefect() / DefectTolerance);
+    if (residual < 0.5 * best)
+    {
+      best = residual;
+      lastGain = result.maps;
+    }
+    const int idle = result.maps - lastGain;
+    const bool stalls = options.exact
+      ? idle == MaximumIdle
+      : !shortened && residual > (1.0 - MinimumReduction) * previous;
     if (result.converged || stalls || result.maps == options.maximumMaps)
     {
       return result;
     }
     previous = residual;
+    // Farther each time, at last by 32 times a step that is small then.
+    const double aside = options.exact && idle > 0 && idle % IdleBeforeAside == 0
+      ? 0.5 * std::pow(4.0, idle / IdleBeforeAside)
+      : 0.0;
+    const Configuration next = linearised.Next(aside, shortened);
+    if (LargestMove(first, next) > options.maximumMove)
+    {
+      return result;
+    }
     try
     {
-      result.layout = LayOut(domain, linearised.Next(shortened), options.map, options.meshSize,
-        progress.Part(static_cast<double>(result.maps) / options.maximumMaps,
-          static_cast<double>(result.maps + 1) / options.maximumMaps));
+      const Progress part = progress.Part(static_cast<double>(result.maps) / options.maximumMaps,
+        static_cast<double>(result.maps + 1) / options.maximumMaps);
+      const SharedPlanarTopology topology = ShareTopology(options.mesh(next, part.Part(0.0, 0.3)));
+      result.layout = LayOut(topology, next, options.map, true, part.Part(0.3, 1.0));
     }
     catch (const Error&)
     {

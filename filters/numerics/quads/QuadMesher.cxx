@@ -42,32 +42,22 @@ double AreaOf(const TMesh& tMesh)
   return area;
 }
 
-/// Returns the domain of a mesh, with the outer loop first.
-PlanarDomain DomainOf(const PlanarTopology& topology)
-{
-  PlanarDomain domain;
-  domain.loops = topology.AlignedLoops();
-  const auto outer = std::find_if(domain.loops.begin(), domain.loops.end(),
-    [](const Loop& loop) { return SignedArea(loop) > 0.0; });
-  std::iter_swap(domain.loops.begin(), outer);
-  return domain;
-}
-
 /// Builds, smooths and measures meshes of one T-mesh.
 class Mesher
 {
 public:
-  Mesher(const SeamlessMap& map, const MeshBoundary& curves, const QuadOptions& options,
-    QuadResult& result)
+  Mesher(const SeamlessMap& map, const std::vector<PairedSides>& pairs, const MeshBoundary& curves,
+    const QuadOptions& options, QuadResult& result)
     : Map(map)
+    , Pairs(pairs)
     , Options(options)
     , Result(result)
     , Curves(curves)
-    , Domain(DomainOf(*RequirePlanar(map.topology)))
+    , Domain{ RequirePlanar(map.topology)->AlignedLoops() }
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
     , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
-    , Sums(SumsOf(map, curves, options, result.tMesh))
+    , Sums(SumsOf(map, pairs, curves, options, result.tMesh))
   {
   }
 
@@ -172,10 +162,10 @@ private:
   static constexpr double AcceptedFraction = 0.5;
 
   /// Returns all sums of edge counts that the options prescribe.
-  static std::vector<CountSum> SumsOf(const SeamlessMap& map, const MeshBoundary& curves,
-    const QuadOptions& options, const TMesh& tMesh)
+  static std::vector<CountSum> SumsOf(const SeamlessMap& map, const std::vector<PairedSides>& pairs,
+    const MeshBoundary& curves, const QuadOptions& options, const TMesh& tMesh)
   {
-    std::vector<CountSum> sums = PairSums(map, curves, options.sides, options.periodic, tMesh);
+    std::vector<CountSum> sums = PairSums(map, curves, options.sides, pairs, tMesh);
     for (CountSum& sum : PrescribedSums(map, curves, options.sides, options.prescribed, tMesh))
     {
       sums.push_back(std::move(sum));
@@ -186,11 +176,11 @@ private:
   /// Pairs the nodes of periodic sides and moves them to positions that match.
   void PairNodes(QuadMesh& mesh) const
   {
-    if (this->Options.periodic.empty())
+    if (this->Pairs.empty())
     {
       return;
     }
-    mesh.periodic = this->Options.periodic;
+    mesh.periodic = this->Pairs;
     const std::vector<QuadPoint> before = mesh.points;
     FindPairs(mesh);
     MatchPairs(this->Curves, mesh);
@@ -389,6 +379,7 @@ private:
   }
 
   const SeamlessMap& Map;
+  const std::vector<PairedSides>& Pairs;
   const QuadOptions& Options;
   QuadResult& Result;
   const MeshBoundary& Curves;
@@ -400,20 +391,21 @@ private:
 };
 }
 
-QuadResult MakeQuads(
-  const SeamlessMap& map, TMesh tMesh, const QuadOptions& options, const Progress& progress)
+QuadResult MakeQuads(const LayoutSet& layouts, const QuadOptions& options, const Progress& progress)
 {
   if (!(options.quadSize >= 0.0) || !std::isfinite(options.quadSize) ||
     (options.quadSize == 0.0 && options.quadCount < 1))
   {
     throw Error("The size of quads must be a positive number, or their count at least 1.");
   }
+  const Layout& layout = layouts.Single();
+  const SeamlessMap& map = layout.map;
   QuadResult result;
-  result.tMesh = std::move(tMesh);
+  result.tMesh = layout.tMesh;
   const MeshBoundary curves(*RequirePlanar(map.topology), options.curves);
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
-  SplitAtPairs(map, curves, options.sides, options.periodic, result.tMesh);
-  Mesher mesher(map, curves, options, result);
+  SplitAtPairs(map, curves, options.sides, layouts.pairs, result.tMesh);
+  Mesher mesher(map, layouts.pairs, curves, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);
   RequireSuitableCounts(result.mesh, mesher.DomainArea(), options.sides, options.prescribed);

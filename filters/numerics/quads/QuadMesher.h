@@ -9,7 +9,7 @@
 #include "SidePrescription.h"
 #include "TMesh.h"
 
-#include "SeamlessMap.h"
+#include "Layout.h"
 
 namespace crossfield
 {
@@ -26,11 +26,10 @@ struct QuadOptions
   /// Weight of sizes against shapes in smoothing, between 0 and 1; not used with Sizing::Conformal
   /// unless a side is graded.
   double sizePart = 0.5;
-  BoundarySides sides;               ///< Sides of the boundary; none: it has no names.
-  CurvedBoundary curves;             ///< Curves that the boundary nodes are placed on.
-  SidePrescriptions prescribed;      ///< Counts, progressions and sizes of sides.
-  std::vector<PairedSides> periodic; ///< Sides whose nodes match.
-  bool smooth = true; ///< If false, points keep their positions in the map (draft quads).
+  BoundarySides sides;          ///< Sides of the boundary; none: it has no names.
+  CurvedBoundary curves;        ///< Curves that the boundary nodes are placed on.
+  SidePrescriptions prescribed; ///< Counts, progressions and sizes of sides.
+  bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;
 };
@@ -40,7 +39,7 @@ struct QuadOptions
 struct QuadResult
 {
   QuadMesh mesh;
-  TMesh tMesh;
+  TMesh tMesh;       ///< T-mesh of the layout, with nodes where sides and graded parts of them end.
   double size = 0.0; ///< Edge length of quads in the map.
   EdgeCounts counts;
   SmoothingReport smoothing;
@@ -51,10 +50,9 @@ struct QuadResult
   double smoothSeconds = 0.0;
 };
 
-/// Makes a quad mesh from the T-mesh of a seamless map (docs/method.md §14): edge counts, quads,
-/// smoothing. `tMesh` is the result of MakeTMesh for the same map. Throws Error if the size or
-/// count is not positive, if more quads would be built than fit into memory, and as Quantise and
-/// BuildQuads do.
+/// Makes a quad mesh of layouts (docs/method.md §14): edge counts, quads, smoothing. Nodes on paired
+/// sides match. Throws Error if there is more than one region, if the size or count is not positive,
+/// if more quads would be built than fit into memory, and as Quantise and BuildQuads do.
 QuadResult MakeQuads(
-  const SeamlessMap& map, TMesh tMesh, const QuadOptions& options, const Progress& progress = {});
+  const LayoutSet& layouts, const QuadOptions& options, const Progress& progress = {});
 }

@@ -3,6 +3,7 @@
 #include "Candidates.h"
 #include "Error.h"
 #include "Index.h"
+#include "MeshForPoints.h"
 #include "SizeSearch.h"
 
 #include <algorithm>
@@ -20,17 +21,6 @@ namespace
 /// Ratios of coarse quads. Each one merges more arcs than the last. The first one merges only arcs that
 /// have no blocks between them already, which makes the quads there better.
 constexpr std::array<double, 8> Coarseness = { 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0 };
-
-/// Returns the maximum distance between corresponding singularities.
-double LargestMove(const Configuration& from, const Configuration& to)
-{
-  double largest = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-  {
-    largest = std::max(largest, (to[i].position - from[i].position).norm());
-  }
-  return largest;
-}
 
 /// Returns whether a mesh has the requested number of quads, if one was requested and the start has
 /// it.
@@ -69,7 +59,7 @@ int MapsWithin(const CleanOptions& options, std::size_t singularities)
 /// A layout to close, and the arcs that were tried last.
 struct ClosingStart
 {
-  ClosingLayout layout;
+  Layout layout;
   std::vector<int> tried;
 };
 
@@ -81,7 +71,8 @@ struct Attempt
   std::vector<int> arcs; ///< The arcs that should vanish.
   int maximumMaps = 0;   ///< The limit with which it was made.
   bool isEvaluated = false;
-  ClosingResult closed;
+  int maps = 0;                    ///< Number of maps that were solved.
+  LayoutSet layouts;               ///< The closed layout.
   std::optional<QuadResult> quads; ///< Absent if the layout has no quads or is that of the start.
   std::exception_ptr failure;
 };
@@ -93,14 +84,15 @@ public:
   CleanSearch(const PlanarDomain& domain, const MeshedLayout& start, const CleanOptions& options)
     : Domain(domain)
     , Options(options)
-    , MaximumMaps(MapsWithin(options, start.layout.singularities.size()))
+    , MaximumMaps(MapsWithin(options, start.layouts.Single().singularities.size()))
     , Start(start.quads)
-    , First{ start.layout, {} }
-    , Best{ start.layout, {} }
+    , First{ start.layouts.Single(), {} }
+    , Best{ start.layouts.Single(), {} }
   {
     this->Result.mesh = start;
     this->Closing.map = options.map;
-    this->Closing.meshSize = options.meshSize;
+    this->Closing.mesh = [&](const Configuration& singularities, const Progress& progress)
+    { return MeshThroughPoints(domain, singularities, options.meshSize, progress); };
     this->Closing.sizes = options.quads.sizes;
     this->Closing.size = start.quads.size;
   }
@@ -115,7 +107,7 @@ public:
     if (outcome == Outcome::Accepted)
     {
       this->Prepared.clear(); // they start from another layout
-      this->Best.layout = this->Result.mesh.layout;
+      this->Best.layout = this->Result.mesh.layouts.Single();
       this->Best.tried = FindArcsToClose(this->Best.layout.tMesh, this->Closing);
       return true;
     }
@@ -126,7 +118,7 @@ public:
     if (this->TryFrom(true, i, progress.Part(0.5, 1.0)) == Outcome::Accepted)
     {
       this->Prepared.clear();
-      this->Best = { this->Result.mesh.layout, {} };
+      this->Best = { this->Result.mesh.layouts.Single(), {} };
       return true;
     }
     return false;
@@ -134,8 +126,8 @@ public:
 
   CleanBlocksResult TakeResult()
   {
-    this->Result.largestMove =
-      LargestMove(this->First.layout.singularities, this->Result.mesh.layout.singularities);
+    this->Result.largestMove = LargestMove(
+      this->First.layout.singularities, this->Result.mesh.layouts.Single().singularities);
     return std::move(this->Result);
   }
 
@@ -172,7 +164,7 @@ private:
     {
       std::rethrow_exception(attempt.failure);
     }
-    this->Result.maps += attempt.closed.maps;
+    this->Result.maps += attempt.maps;
     if (!attempt.quads || !IsAsGood(attempt.quads->quality, this->Start.quality) ||
       !KeepsCount(*attempt.quads, this->Start, this->Options.quads) ||
       !IsBetter(*attempt.quads, this->Result.mesh.quads))
@@ -181,7 +173,7 @@ private:
     }
     this->Result.accepted = true;
     this->Result.coarseness = attempt.coarseness;
-    this->Result.mesh = { std::move(attempt.closed.layout), std::move(*attempt.quads) };
+    this->Result.mesh = { std::move(attempt.layouts), std::move(*attempt.quads) };
     return Outcome::Accepted;
   }
 
@@ -196,7 +188,7 @@ private:
     {
       Attempt attempt = std::move(*found);
       this->Prepared.erase(found);
-      if (attempt.closed.maps <= this->MapsLeft())
+      if (attempt.maps <= this->MapsLeft())
       {
         attempt.maximumMaps = this->MapsLeft();
         return attempt;
@@ -262,8 +254,10 @@ private:
     options.maximumMaps = attempt.maximumMaps;
     try
     {
-      attempt.closed =
+      ClosingResult closed =
         CloseLayout(this->Domain, this->StartOf(attempt.isFromFirst).layout, options, progress);
+      attempt.maps = closed.maps;
+      attempt.layouts = LayoutSet(std::move(closed.layout), this->Result.mesh.layouts.pairs);
     }
     catch (...)
     {
@@ -272,10 +266,9 @@ private:
     }
     try
     {
-      if (attempt.closed.maps > 0)
+      if (attempt.maps > 0)
       {
-        attempt.quads =
-          MakeQuads(attempt.closed.layout.map, attempt.closed.layout.tMesh, this->Options.quads);
+        attempt.quads = MakeQuads(attempt.layouts, this->Options.quads);
       }
     }
     catch (const Error&)

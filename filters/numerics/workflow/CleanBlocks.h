@@ -16,10 +16,10 @@ struct CleanOptions
   int maximumSolves = 3000;
 };
 
-/// A layout and its quad mesh.
+/// Layouts and their quad mesh.
 struct MeshedLayout
 {
-  ClosingLayout layout;
+  LayoutSet layouts;
   QuadResult quads;
 };
 

@@ -283,12 +283,13 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
 }
 
 std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const QuadRequest& request,
-  int total, const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads)
+  int total, const LayoutSet& layouts, QuadOptions options, QuadResult& quads)
 {
   // Corrections of numbers of quads and of edges converge in two or three tries; rounding may take
   // some more.
   constexpr int MaximumTries = 8;
-  const BoundaryCurves curves(RequirePlanar(map.topology)->AlignedLoops(), options.curves);
+  const BoundaryCurves curves(
+    RequirePlanar(layouts.Single().map.topology)->AlignedLoops(), options.curves);
   const int separateBlocks = quads.separateBlocks;
   CountsWithLayers sideCounts(request);
   std::optional<QuadResult> best;
@@ -331,7 +332,7 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const Qua
     }
     try
     {
-      quads = MakeQuads(map, tMesh, options);
+      quads = MakeQuads(layouts, options);
     }
     catch (const Error&)
     {

@@ -23,10 +23,10 @@ ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const QuadReques
 /// requested afterwards.
 int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request);
 
-/// Adds the layers of a request to the quads of a layout, as AddLayers does. If a number of quads or
+/// Adds the layers of a request to the quads of layouts, as AddLayers does. If a number of quads or
 /// of edges of a side is requested that the mesh does not have with them, makes it again with other
 /// numbers before, and takes the one that comes nearest to `total`. Throws Error as AddLayers does,
 /// and if a side does not get its number of edges.
 std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const QuadRequest& request,
-  int total, const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads);
+  int total, const LayoutSet& layouts, QuadOptions options, QuadResult& quads);
 }

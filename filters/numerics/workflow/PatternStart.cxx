@@ -3,6 +3,7 @@
 #include "CrossDirection.h"
 #include "Error.h"
 #include "HolePattern.h"
+#include "MeshForPoints.h"
 #include "RequestedSingularities.h"
 
 #include <sstream>
@@ -25,18 +26,23 @@ bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, Me
     AutomaticConfiguration choice = ChooseSingularities(filled, request, progress.Part(0.0, 0.5));
     SeamlessMapOptions map = options.map;
     map.corners = choice.corners;
-    const ClosingLayout field = LayOut(filled, choice.singularities, map, options.meshSize);
+    const auto layOut = [&](const PlanarDomain& on, const Configuration& singularities)
+    {
+      return LayOut(ShareTopology(MeshThroughPoints(on, singularities, options.meshSize)),
+        singularities, map, true);
+    };
+    const Layout field = layOut(filled, choice.singularities);
     Configuration singularities =
       PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes)));
     singularities.insert(
       singularities.end(), choice.singularities.begin(), choice.singularities.end());
-    ClosingLayout layout = LayOut(domain, singularities, map, options.meshSize);
-    QuadResult quads = MakeQuads(layout.map, layout.tMesh, options.quads);
+    LayoutSet layouts(layOut(domain, singularities), start.layouts.pairs);
+    QuadResult quads = MakeQuads(layouts, options.quads);
     progress.Report(1.0);
     if (IsCleaner(quads, start.quads) &&
       HasRequestedCount(request, quads) >= HasRequestedCount(request, start.quads))
     {
-      start = { std::move(layout), std::move(quads) };
+      start = { std::move(layouts), std::move(quads) };
       options.map = std::move(map);
       return true;
     }

@@ -66,7 +66,6 @@ std::vector<std::string> ChooseSizing(
   Shortfall best(meshed.quads, options, bound);
   bool isChanged = false;
   const QuadOptions given = options;
-  const TMesh tMesh = meshed.quads.tMesh;
   const auto optionsFor = [&](std::size_t i)
   {
     QuadOptions other = given;
@@ -85,7 +84,7 @@ std::vector<std::string> ChooseSizing(
     [&](std::size_t i)
     {
       const double done = static_cast<double>(i) / SizeParts.size();
-      return MakeQuads(meshed.layout.map, tMesh, optionsFor(i), shared.Get().Part(done, 1.0));
+      return MakeQuads(meshed.layouts, optionsFor(i), shared.Get().Part(done, 1.0));
     },
     [&](std::size_t i, QuadResult uniform)
     {

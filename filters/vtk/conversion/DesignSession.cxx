@@ -182,11 +182,7 @@ void DesignSession::ApplyCommand(
       crossfield::SnapLayout(this->Domain.Factor(singularities, request.meshSize), singularities,
         request.options.map, request.snapTolerance, progress);
     singularities = snap.singularities;
-    std::ostringstream text;
-    text << "Pairs of nearly coincident separatrices: " << snap.joined << " joined, "
-         << snap.leftOut << " left. The maximum displacement of a singularity is "
-         << snap.largestMove << ".";
-    this->Events.push_back(text.str());
+    this->Events.push_back(snap.event);
   }
   else if (request.command == DesignCommand::AddPair)
   {

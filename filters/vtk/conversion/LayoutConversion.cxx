@@ -90,7 +90,7 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   }
   else
   {
-    text << design->mesh.patches.size() << " patches";
+    text << design->layouts.Single().tMesh.patches.size() << " patches";
   }
   text << std::fixed << std::setprecision(2) << "; energy W " << design->energy.energy
        << " (lower is better).";
@@ -100,9 +100,9 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   }
   const std::string moves = DescribeMoves(design->nodes);
   text << (moves.empty() ? "" : " ") << moves;
-  if (design->map.flattening)
+  if (const auto& flattening = design->layouts.Single().map.flattening)
   {
-    const std::string stretch = crossfield::DescribeStretch(*design->map.flattening);
+    const std::string stretch = crossfield::DescribeStretch(*flattening);
     text << (stretch.empty() ? "" : " ") << stretch;
   }
   const std::string warning = DescribeBadQuads(*design);
@@ -130,10 +130,11 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
   {
     return;
   }
+  const crossfield::Layout& layout = design->layouts.Single();
   ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
-  ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.patches.size()) });
+  ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(layout.tMesh.patches.size()) });
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
-  HolonomyConversion::WriteStretch(design->map.flattening, data);
+  HolonomyConversion::WriteStretch(layout.map.flattening, data);
   ColumnWriting::AddIntegers(
     data, names::MovedNodes, { static_cast<int>(design->nodes.events.size()) });
   ColumnWriting::AddNumbers(data, names::Moved, { design->nodes.moved });

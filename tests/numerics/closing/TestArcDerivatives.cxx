@@ -1,5 +1,6 @@
 #include "ArcDerivatives.h"
-#include "MeshForPoints.h"
+#include "LayoutClosing.h"
+#include "Layouts.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
 #include "TMeshPatches.h"
@@ -10,13 +11,13 @@ namespace crossfield::test
 {
 namespace
 {
-/// A layout on a given mesh.
-struct Layout
+/// A map and its T-mesh on a given mesh.
+struct Traced
 {
   SeamlessMap map;
   TMesh tMesh;
 
-  Layout(const TriangleMesh& mesh, const Configuration& singularities)
+  Traced(const TriangleMesh& mesh, const Configuration& singularities)
     : map(SolveSeamlessMap(ShareTopology(mesh), singularities))
     , tMesh(MakeTMesh(map, TraceSeparatrices(map)))
   {
@@ -47,7 +48,7 @@ struct Derivatives
     const PlanarDomain& domain, const Configuration& singularities, double meshSize, double reach)
   {
     const TriangleMesh mesh = MeshThroughPoints(domain, singularities, meshSize);
-    const Layout start(mesh, singularities);
+    const Traced start(mesh, singularities);
     this->lengths = start.Lengths();
     const PositionResponse response(start.map);
     this->formulaOfDefects = response.GetDefectDerivatives();
@@ -88,10 +89,10 @@ struct Derivatives
             point[column % 2] += by * std::pow(1.0 - ratio * ratio, 2);
           }
         }
-        return Layout(movedMesh, movedSingularities);
+        return Traced(movedMesh, movedSingularities);
       };
-      const Layout after = moved(step);
-      const Layout before = moved(-step);
+      const Traced after = moved(step);
+      const Traced before = moved(-step);
       this->differences.col(column) = (after.Lengths() - before.Lengths()) / (2.0 * step);
       for (Eigen::Index k = 0; k < this->differencesOfDefects.rows(); ++k)
       {
@@ -136,6 +137,49 @@ TEST(ArcDerivatives, LengthIsTheImaginaryPartOfThePath)
   const Derivatives derivatives = OnDisk(0.1);
   EXPECT_EQ(derivatives.lengths.size(), 40);
   EXPECT_LT(derivatives.largestMismatch, 1e-14);
+}
+
+TEST(ArcDerivatives, JoinedSeparatricesAreStraight)
+{
+  // Four singularities on a square, whose sides are pairs of separatrices.
+  const Configuration four = { { { 0.5, 0.5 }, 1 }, { { -0.5, 0.5 }, 1 }, { { -0.5, -0.5 }, 1 },
+    { { 0.5, -0.5 }, 1 } };
+  const PlanarDomain disk = Builtin("disk", 0.1);
+  ClosingOptions options;
+  options.mesh = [&disk](const Configuration& singularities, const Progress&)
+  { return MeshThroughPoints(disk, singularities, 0.1); };
+  options.size = 0.1;
+  options.exact = true;
+  options.maximumMaps = 40;
+  const Layout square = CloseLayout(disk, LayOutOn(disk, four, {}, 0.1), options).layout;
+  ASSERT_EQ(square.tMesh.headOn, 4);
+  const std::vector<ArcPath> joined = ArcPaths(square.map, square.tMesh).Joined();
+  ASSERT_EQ(joined.size(), 4u);
+  const PositionResponse response(square.map);
+  for (const ArcPath& path : joined)
+  {
+    std::complex<double> sum = 0.0;
+    for (const ArcPath::Piece& piece : path.pieces)
+    {
+      sum += piece.step;
+    }
+    EXPECT_EQ(sum.imag(), 0.0);
+    EXPECT_GT(sum.real(), 0.5);
+    // Growing the square keeps its separatrices together, turning one of its corners does not.
+    const Eigen::RowVectorXd row = DifferentiateArc(response, path);
+    Eigen::VectorXd growth(8);
+    Eigen::VectorXd turn = Eigen::VectorXd::Zero(8);
+    for (Eigen::Index m = 0; m < 4; ++m)
+    {
+      growth.segment<2>(2 * m) = response.PositionOf(static_cast<std::size_t>(m));
+      if (response.GetMoving()[static_cast<std::size_t>(m)] == path.firstCone)
+      {
+        turn.segment<2>(2 * m) << -growth[2 * m + 1], growth[2 * m];
+      }
+    }
+    EXPECT_GT(std::abs(row * turn), 0.1);
+    EXPECT_LT(std::abs(row * growth), 0.05 * std::abs(row * turn));
+  }
 }
 
 TEST(ArcDerivatives, AgreeWithDifferences)

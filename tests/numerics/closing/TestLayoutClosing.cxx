@@ -1,4 +1,5 @@
 #include "LayoutClosing.h"
+#include "Layouts.h"
 #include "Support.h"
 
 #include <cmath>
@@ -22,6 +23,14 @@ Configuration NearSquare(double disturbance)
   return four;
 }
 
+ClosingOptions OptionsFor(const PlanarDomain& domain, double meshSize)
+{
+  ClosingOptions options;
+  options.mesh = [&domain, meshSize](const Configuration& singularities, const Progress& progress)
+  { return MeshThroughPoints(domain, singularities, meshSize, progress); };
+  return options;
+}
+
 /// Returns the lengths of arcs below a bound, each in quads.
 double LongestBelow(const TMesh& tMesh, double bound)
 {
@@ -39,8 +48,8 @@ double LongestBelow(const TMesh& tMesh, double bound)
 TEST(LayoutClosing, SeparatricesThatNearlyMeetMeet)
 {
   const PlanarDomain disk = Builtin("disk", 0.07);
-  const ClosingLayout start = LayOut(disk, NearSquare(0.03), {}, 0.07);
-  ClosingOptions options;
+  const Layout start = LayOutOn(disk, NearSquare(0.03), {}, 0.07);
+  ClosingOptions options = OptionsFor(disk, 0.0);
   options.size = 0.1;
   options.coarseness = 3.0;
   const std::size_t arcs = FindArcsToClose(start.tMesh, options).size();
@@ -57,12 +66,32 @@ TEST(LayoutClosing, SeparatricesThatNearlyMeetMeet)
   EXPECT_TRUE(again.converged);
 }
 
+TEST(LayoutClosing, ExactClosingEndsWhenSeparatricesMeet)
+{
+  const PlanarDomain disk = Builtin("disk", 0.07);
+  const Layout start = LayOutOn(disk, NearSquare(0.03), {}, 0.07);
+  ClosingOptions options = OptionsFor(disk, 0.07);
+  options.size = 0.1;
+  options.exact = true;
+  options.maximumMaps = 40;
+  const ClosingResult result = CloseLayout(disk, start, options);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(start.tMesh.headOn, 0);
+  EXPECT_EQ(result.layout.tMesh.headOn, 4);
+  EXPECT_EQ(result.longest, 0.0);
+  const double move = LargestMove(start.singularities, result.layout.singularities);
+  options.maximumMove = 0.5 * move;
+  const ClosingResult limited = CloseLayout(disk, start, options);
+  EXPECT_FALSE(limited.converged);
+  EXPECT_LE(LargestMove(start.singularities, limited.layout.singularities), 0.5 * move);
+}
+
 TEST(LayoutClosing, ArcsBetweenCornersAreLeftAlone)
 {
   // Without singularities inside nothing can move.
   const PlanarDomain domain = Builtin("l-shape", 0.25);
-  const ClosingLayout start = LayOut(domain, {}, {}, 0.2);
-  ClosingOptions options;
+  const Layout start = LayOutOn(domain, {}, {}, 0.2);
+  ClosingOptions options = OptionsFor(domain, 0.0);
   options.size = 1.5;
   options.coarseness = 4.0;
   const ClosingResult result = CloseLayout(domain, start, options);
@@ -84,10 +113,9 @@ TEST(LayoutClosing, ReducesHolonomyDefects)
   }
   const Configuration four = { { { 0.37, 0.33 }, -1 }, { { -0.33, 0.36 }, -1 },
     { { -0.36, -0.34 }, -1 }, { { 0.34, -0.35 }, -1 } };
-  const ClosingLayout start = LayOut(plate, four, map, 0.05);
-  ClosingOptions options;
+  const Layout start = LayOutOn(plate, four, map, 0.05);
+  ClosingOptions options = OptionsFor(plate, 0.05);
   options.map = map;
-  options.meshSize = 0.05;
   options.size = 0.05;
   const ClosingResult result = CloseLayout(plate, start, options);
   EXPECT_GT(result.maps, 0);

@@ -1,6 +1,6 @@
 #include "CrossDirection.h"
 #include "HolePattern.h"
-#include "LayoutClosing.h"
+#include "Layouts.h"
 #include "QuadMesher.h"
 #include "Support.h"
 
@@ -53,7 +53,7 @@ TEST(HolePattern, PatternFollowsTheCrossOfTheFilledDomain)
   const PlanarDomain plate = turn(Grid(2, 2, 0.2));
   const std::vector<RoundHole> holes = FindRoundHoles(plate);
   ASSERT_EQ(holes.size(), 4u);
-  const ClosingLayout field = LayOut(FillHoles(plate, holes), {}, {}, 0.0);
+  const Layout field = LayOutOn(FillHoles(plate, holes), {});
   const Configuration pattern = PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes)));
   ASSERT_EQ(pattern.size(), 16u);
   for (std::size_t i = 0; i < pattern.size(); ++i)
@@ -71,10 +71,10 @@ TEST(HolePattern, TwentyHolesHaveFewBlocks)
 {
   const PlanarDomain plate = Grid(5, 4, 0.22);
   const std::vector<RoundHole> holes = FindRoundHoles(plate);
-  const ClosingLayout field = LayOut(FillHoles(plate, holes), {}, {}, 0.0);
-  const ClosingLayout layout =
-    LayOut(plate, PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes))), {}, 0.0);
-  const QuadResult quads = MakeQuads(layout.map, layout.tMesh, {});
+  const Layout field = LayOutOn(FillHoles(plate, holes), {});
+  const Layout layout =
+    LayOutOn(plate, PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes))));
+  const QuadResult quads = MakeQuads(LayoutSet(layout), {});
   EXPECT_EQ(quads.blocks.blocks.size(), 159u);
   EXPECT_GE(quads.quality.jacobian.min, 0.88);
 }

@@ -2,11 +2,11 @@
 
 #include "BoundarySymmetry.h"
 #include "DomainQueries.h"
+#include "Layouts.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -256,7 +256,7 @@ TEST(QuadProperties, HoldOnRandomDomains)
       {
         QuadOptions options;
         options.quadSize = part * extent;
-        const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+        const QuadResult result = MakeQuads(LayoutOf(map), options);
         ExpectSound(result, map, options.quadSize);
         ++meshes;
         far += FarApart(map, options.quadSize) ? 1 : 0;
@@ -317,7 +317,7 @@ TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
       QuadOptions options;
       options.quadSize = 0.2;
       options.sizes.sizing = sizing;
-      const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+      const QuadResult result = MakeQuads(LayoutOf(map), options);
       EXPECT_GE(result.smoothing.symmetries, 4);
       const double extent = symmetric.domain.Diagonal();
       for (const Isometry& isometry :

@@ -1,10 +1,10 @@
 #include "QuadMesher.h"
 
+#include "Layouts.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ QuadResult QuadsOf(const SeamlessMap& map, double size)
 {
   QuadOptions options;
   options.quadSize = size;
-  return MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  return MakeQuads(LayoutOf(map), options);
 }
 
 /// Expects the requested irregular points, the topology of the domain, boundary points on the
@@ -209,15 +209,15 @@ TEST(Quads, AreNearTheRequestedCount)
   {
     QuadOptions options;
     options.quadCount = count;
-    EXPECT_NEAR(
-      static_cast<double>(
-        MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options).mesh.quads.size()),
-      count, 0.05 * count);
+    EXPECT_NEAR(static_cast<double>(MakeQuads(LayoutOf(map), options).mesh.quads.size()), count,
+      0.05 * count);
   }
   QuadOptions none;
   none.quadSize = -1.0;
-  EXPECT_TRUE(Refuses(
-    [&] { MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), none); }, { "size", "positive" }));
+  EXPECT_TRUE(Refuses([&] { MakeQuads(LayoutOf(map), none); }, { "size", "positive" }));
+  LayoutSet two = LayoutOf(map);
+  two.regions.push_back(two.regions.front());
+  EXPECT_TRUE(Refuses([&] { MakeQuads(two, {}); }, { "2 regions", "each region by itself" }));
 }
 
 TEST(Quads, OfUniformSizingHaveNearlyEqualSizes)
@@ -228,9 +228,9 @@ TEST(Quads, OfUniformSizingHaveNearlyEqualSizes)
   const SeamlessMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
   QuadOptions options;
   options.quadCount = 600;
-  const QuadResult conformal = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  const QuadResult conformal = MakeQuads(LayoutOf(map), options);
   options.sizes.sizing = Sizing::Uniform;
-  const QuadResult uniform = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  const QuadResult uniform = MakeQuads(LayoutOf(map), options);
   EXPECT_GT(conformal.quality.variation, 0.2);
   EXPECT_LT(uniform.quality.variation, 0.12);
   EXPECT_GE(uniform.quality.jacobian.min, 0.5);
@@ -249,7 +249,7 @@ TEST(Quads, FollowASizeField)
   options.quadCount = 500;
   options.sizes.sizing = Sizing::Field;
   options.sizes.field = [](const Point& place) { return 1.0 + place.x() / 3.0; };
-  const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  const QuadResult result = MakeQuads(LayoutOf(map), options);
   EXPECT_EQ(result.quality.inverted, 0);
   double left = 0.0;
   double right = 0.0;
@@ -267,8 +267,8 @@ TEST(Quads, FollowASizeField)
   // 1.92.
   EXPECT_NEAR(left / right, 1.92 / 1.08, 0.35);
   options.sizes.field = [](const Point& place) { return place.x() - 1.0; };
-  EXPECT_TRUE(Refuses([&] { MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options); },
-    { "size", "not a positive number" }));
+  EXPECT_TRUE(
+    Refuses([&] { MakeQuads(LayoutOf(map), options); }, { "size", "not a positive number" }));
 }
 
 TEST(Quads, OfCoarseLayoutsHaveFewerBlocks)
@@ -280,9 +280,9 @@ TEST(Quads, OfCoarseLayoutsHaveFewerBlocks)
   const SeamlessMap map = MapOf(domain, configuration, 0.05);
   QuadOptions options;
   options.quadSize = 0.03;
-  const QuadResult fine = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  const QuadResult fine = MakeQuads(LayoutOf(map), options);
   options.coarse = true;
-  const QuadResult coarse = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  const QuadResult coarse = MakeQuads(LayoutOf(map), options);
   ExpectSound(coarse, map, 0.5 * fine.quality.jacobian.min);
   EXPECT_LT(coarse.blocks.blocks.size(), fine.blocks.blocks.size());
   EXPECT_NEAR(static_cast<double>(coarse.mesh.quads.size()),

@@ -2,6 +2,7 @@
 
 #include "BoundaryOrder.h"
 
+#include "Layouts.h"
 #include "MeshBoundary.h"
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
@@ -9,7 +10,6 @@
 #include "QuadSizes.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ QuadResult QuadsOf(const SeamlessMap& map)
 {
   QuadOptions options;
   options.quadCount = 200;
-  return MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  return MakeQuads(LayoutOf(map), options);
 }
 
 SeamlessMap MapOfL()

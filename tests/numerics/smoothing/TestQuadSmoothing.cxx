@@ -1,11 +1,11 @@
 #include "CoarseQuads.h"
+#include "Layouts.h"
 #include "MeshBoundary.h"
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
 #include "QuadMesher.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
-#include "TMeshPatches.h"
 
 #include <cmath>
 #include <random>
@@ -27,7 +27,7 @@ QuadResult QuadsOf(const SeamlessMap& map, int count, Sizing sizing = Sizing::Co
   QuadOptions options;
   options.quadCount = count;
   options.sizes.sizing = sizing;
-  return MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  return MakeQuads(LayoutOf(map), options);
 }
 
 std::vector<bool> AllButFixed(const QuadMesh& mesh)

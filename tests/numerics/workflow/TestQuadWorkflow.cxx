@@ -3,12 +3,12 @@
 
 #include "QuadWorkflow.h"
 
+#include "Layouts.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "MeshRetry.h"
 #include "PoincareHopf.h"
 #include "Support.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,7 @@ TEST(QuadWorkflow, MakesTheMeshOfItsSteps)
     ShareTopology(MeshThroughPoints(disk, *request.singularities, 0.1)), *request.singularities);
   QuadOptions options;
   options.quadSize = 0.1;
-  const QuadResult steps = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
+  const QuadResult steps = MakeQuads(LayoutOf(map), options);
   ExpectSamePoints(result.quads.mesh, steps.mesh, 0.0);
   EXPECT_EQ(result.holonomyDefect, map.holonomyDefect);
   EXPECT_EQ(result.singularities.size(), 4U);

@@ -1,6 +1,5 @@
 #include "LayoutDesign.h"
 #include "LayoutSnap.h"
-#include "NearMisses.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -40,19 +39,20 @@ TEST(LayoutSnap, JoinsNearMisses)
         1 });
     }
     const LayoutDesign before = DesignLayout(disk, four);
-    ASSERT_EQ(before.mesh.headOn, 0);
+    ASSERT_EQ(before.layouts.Single().tMesh.headOn, 0);
     const LayoutSnap snap = SnapLayout(disk, four, {}, 0.1);
-    EXPECT_GE(snap.joined, 3);
-    EXPECT_EQ(snap.leftOut, 0);
+    EXPECT_NE(snap.event.find("5 patches instead of 9"), std::string::npos) << snap.event;
+    EXPECT_EQ(snap.event.find("Others"), std::string::npos) << snap.event;
+    EXPECT_GT(snap.largestMove, 0.0);
     EXPECT_LE(snap.largestMove, 0.05);
     const LayoutDesign after = DesignLayout(disk, snap.singularities);
     // These are the sides of the square in the middle.
-    EXPECT_EQ(after.mesh.headOn, 4);
-    EXPECT_LT(after.mesh.patches.size(), before.mesh.patches.size());
+    EXPECT_EQ(after.layouts.Single().tMesh.headOn, 4);
+    EXPECT_EQ(after.layouts.Single().tMesh.patches.size(), 5u);
     EXPECT_GT(after.shortestArc, 0.2);
     // Snapping again changes nothing.
     const LayoutSnap again = SnapLayout(disk, snap.singularities, {}, 0.1);
-    EXPECT_EQ(again.joined, 0);
+    EXPECT_EQ(again.event, "No separatrices were joined.");
     EXPECT_EQ(again.largestMove, 0.0);
   }
 }
@@ -63,17 +63,55 @@ TEST(LayoutSnap, RespectsTolerance)
   const Configuration start = AroundTwo(0.1);
   // No separatrix is that close to a singularity.
   const LayoutSnap none = SnapLayout(disk, start, {}, 1e-6);
-  EXPECT_EQ(none.joined, 0);
+  EXPECT_EQ(none.event, "No separatrices were joined.");
   for (std::size_t i = 0; i < start.size(); ++i)
   {
     EXPECT_EQ(none.singularities[i].position, start[i].position);
   }
   const LayoutSnap some = SnapLayout(disk, start, {}, 0.08);
-  EXPECT_GT(some.joined, 0);
   EXPECT_LE(some.largestMove, 0.08);
   const LayoutDesign before = DesignLayout(disk, start);
   const LayoutDesign after = DesignLayout(disk, some.singularities);
-  EXPECT_GT(after.mesh.headOn, before.mesh.headOn);
+  EXPECT_EQ(before.layouts.Single().tMesh.headOn, 0);
+  EXPECT_EQ(after.layouts.Single().tMesh.headOn, 5);
+  // With less, the separatrices farthest apart are left as they are.
+  const LayoutSnap few = SnapLayout(disk, start, {}, 0.6 * some.largestMove);
+  EXPECT_LE(few.largestMove, 0.6 * some.largestMove);
+}
+
+TEST(LayoutSnap, KeepsSeparatricesThatMeet)
+{
+  const FactoredDomain disk(Builtin("disk", 0.07), {}, 0.07);
+  const auto met = [&disk](const Configuration& singularities)
+  { return DesignLayout(disk, singularities).layouts.Single().tMesh.headOn; };
+  // With a small tolerance only some meet; these are kept while the others are joined.
+  const Configuration some = SnapLayout(disk, AroundTwo(0.1), {}, 0.015).singularities;
+  EXPECT_GE(met(some), 1);
+  EXPECT_LT(met(some), 5);
+  EXPECT_EQ(met(SnapLayout(disk, some, {}, 0.08).singularities), 5);
+}
+
+TEST(LayoutSnap, KeepsHolonomyDefects)
+{
+  // The grid lines around the hole of a ring do not close up, and the map is stretched.
+  const FactoredDomain ring(Builtin("ring", 0.1), {}, 0.1);
+  Configuration start;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double angle = 0.5 * Pi * i;
+    start.push_back({ 0.8 * Point(std::cos(angle), std::sin(angle)), 1 });
+    start.push_back({ 0.55 * Point(std::cos(angle + 0.6), std::sin(angle + 0.6)), -1 });
+  }
+  start[0].position += Point(0.0, 0.016);
+  const LayoutDesign before = DesignLayout(ring, start);
+  const Layout& first = before.layouts.Single();
+  ASSERT_TRUE(first.map.flattening);
+  const LayoutSnap snap = SnapLayout(ring, start, {}, 0.03);
+  EXPECT_GT(snap.largestMove, 0.0);
+  const LayoutDesign after = DesignLayout(ring, snap.singularities);
+  const Layout& last = after.layouts.Single();
+  EXPECT_NEAR(last.map.holonomyDefect[0], first.map.holonomyDefect[0], 1e-6);
+  EXPECT_GT(last.tMesh.headOn + last.tMesh.crossings, first.tMesh.headOn + first.tMesh.crossings);
 }
 
 TEST(LayoutSnap, AcceptsNoSingularities)
@@ -89,22 +127,8 @@ TEST(LayoutSnap, AcceptsNoSingularities)
         last = fraction;
         return true;
       }));
-  EXPECT_EQ(snap.joined, 0);
   EXPECT_TRUE(snap.singularities.empty());
   EXPECT_EQ(last, 1.0);
-}
-
-TEST(LayoutSnap, OffsetsMatchTracedDistances)
-{
-  // The absolute offset of a near miss is the length on the separatrix that is hit.
-  const FactoredDomain disk(Builtin("disk", 0.07), {}, 0.07);
-  const LayoutDesign design = DesignLayout(disk, AroundTwo(0.1));
-  const std::vector<NearMiss> misses = FindNearMisses(design.separatrices, 0.1);
-  ASSERT_FALSE(misses.empty());
-  for (const NearMiss& miss : misses)
-  {
-    EXPECT_NEAR(std::abs(miss.Offset(design.map)), miss.across, 1e-12);
-  }
 }
 }
 }

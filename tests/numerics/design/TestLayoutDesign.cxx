@@ -3,9 +3,8 @@
 #include "DomainQueries.h"
 #include "Error.h"
 #include "FactorisationCount.h"
-#include "MeshForPoints.h"
+#include "Layouts.h"
 #include "Support.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +37,11 @@ TEST(LayoutDesign, MatchesLayoutOnSeparateMesh)
       singularity.position += Point(random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1));
     }
     const LayoutDesign live = DesignLayout(factored, configuration);
-    const SeamlessMap map =
-      SolveSeamlessMap(ShareTopology(MeshThroughPoints(disk, configuration, 0.05)), configuration);
-    const TMesh separate = MakeTMesh(map, TraceSeparatrices(map));
-    EXPECT_EQ(live.mesh.patches.size(), separate.patches.size()) << i;
-    EXPECT_NEAR(live.mesh.longest, separate.longest, 0.02) << i;
-    EXPECT_LT(live.mesh.Mismatch(), 1e-12);
+    const TMesh& tMesh = live.layouts.Single().tMesh;
+    const TMesh separate = LayOutOn(disk, configuration, {}, 0.05).tMesh;
+    EXPECT_EQ(tMesh.patches.size(), separate.patches.size()) << i;
+    EXPECT_NEAR(tMesh.longest, separate.longest, 0.02) << i;
+    EXPECT_LT(tMesh.Mismatch(), 1e-12);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "PoincareHopf.h"
 #include "RenormalizedEnergy.h"
-#include "SeamlessMapSolve.h"
+#include "TraceGraph.h"
 
 #include <optional>
 
@@ -28,10 +28,8 @@ struct LayoutOptions
 /// patches, quads and quality.
 struct LayoutDesign
 {
-  Configuration singularities;
-  SeamlessMap map;
-  TraceGraph separatrices;
-  TMesh mesh;
+  LayoutSet layouts;       ///< The layout of the domain, which has one region.
+  TraceGraph separatrices; ///< Separatrices of its map.
   std::optional<QuadResult> quads;
   /// Where the nodes of the singularities are, and how far from the given positions. Without quads
   /// these are the given positions.

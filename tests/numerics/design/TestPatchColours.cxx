@@ -30,7 +30,7 @@ TEST(PatchColours, MeasuresPatches)
 {
   const FactoredDomain disk(Builtin("disk", 0.07), {}, 0.07);
   const LayoutDesign design = DesignLayout(disk, Twelve({ 0.0, 0.0 }));
-  ASSERT_EQ(design.colours.size(), design.mesh.patches.size());
+  ASSERT_EQ(design.colours.size(), design.layouts.Single().tMesh.patches.size());
   double area = 0.0;
   Point moment = Point::Zero();
   for (const PatchColour& patch : design.colours)
@@ -51,11 +51,12 @@ TEST(PatchColours, NeighboursDiffer)
   const LayoutDesign design = DesignLayout(disk, Twelve({ 0.0, 0.0 }));
   int same = 0;
   int pairs = 0;
-  for (const TArc& arc : design.mesh.arcs)
+  for (const TArc& arc : design.layouts.Single().tMesh.arcs)
   {
-    const auto half = static_cast<std::size_t>(2 * (&arc - design.mesh.arcs.data()));
-    const int left = design.mesh.halfEdges[half].patch;
-    const int right = design.mesh.halfEdges[half + 1].patch;
+    const auto half =
+      static_cast<std::size_t>(2 * (&arc - design.layouts.Single().tMesh.arcs.data()));
+    const int left = design.layouts.Single().tMesh.halfEdges[half].patch;
+    const int right = design.layouts.Single().tMesh.halfEdges[half + 1].patch;
     if (left >= 0 && right >= 0 && left != right)
     {
       ++pairs;
@@ -76,7 +77,7 @@ TEST(PatchColours, DoNotDependOnTheOrderOfPatches)
   // The same patches in the reverse order keep their colours.
   std::vector<PatchColour> earlier = design.colours;
   std::reverse(earlier.begin(), earlier.end());
-  const std::vector<PatchColour> again = ColourPatches(design.mesh, earlier);
+  const std::vector<PatchColour> again = ColourPatches(design.layouts.Single().tMesh, earlier);
   for (std::size_t i = 0; i < again.size(); ++i)
   {
     EXPECT_EQ(again[i].colour, design.colours[i].colour) << i;

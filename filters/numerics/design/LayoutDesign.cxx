@@ -4,7 +4,6 @@
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 #include "Stopwatch.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +26,7 @@ void EvaluateEnergy(const FactoredDomain& domain, const Configuration& singulari
   design.energy = EvaluateRenormalizedEnergy(potential, potential.Solve(placed.interior));
 }
 
-/// Replaces map, separatrices and quads by those of fewer blocks, if there are any.
+/// Replaces layout and quads by those of fewer blocks, if there are any.
 void Clean(const FactoredDomain& domain, const LayoutOptions& options, LayoutDesign& design,
   const Progress& progress)
 {
@@ -35,18 +34,13 @@ void Clean(const FactoredDomain& domain, const LayoutOptions& options, LayoutDes
   clean.map = options.map;
   clean.meshSize = domain.GetMeshSize();
   clean.quads = *options.quads;
-  MeshedLayout start{ { design.singularities, std::move(design.map), std::move(design.mesh) },
-    std::move(*design.quads) };
-  CleanBlocksResult result =
-    CleanBlocks(domain.GetDomain(), std::move(start), clean, progress.Part(0.0, 0.9));
-  ClosingLayout& layout = result.mesh.layout;
-  design.map = std::move(layout.map);
-  design.mesh = std::move(layout.tMesh);
+  MeshedLayout start{ std::move(design.layouts), std::move(*design.quads) };
+  CleanBlocksResult result = CleanBlocks(domain.GetDomain(), std::move(start), clean, progress);
+  design.layouts = std::move(result.mesh.layouts);
   design.quads = std::move(result.mesh.quads);
   if (result.accepted)
   {
-    design.separatrices = TraceSeparatrices(design.map, progress.Part(0.9, 1.0));
-    EvaluateEnergy(domain, layout.singularities, options.map, design);
+    EvaluateEnergy(domain, design.layouts.Single().singularities, options.map, design);
   }
 }
 }
@@ -57,30 +51,30 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   Stopwatch stopwatch;
   RequireInside(domain.GetDomain(), singularities);
   LayoutDesign design;
-  design.singularities = singularities;
   EvaluateEnergy(domain, singularities, options.map, design);
   progress.Report(0.1);
-  design.map = SolveSeamlessMap(ShareTopology(domain.MeshOn(singularities)), singularities,
-    options.map, progress.Part(0.1, 0.6));
-  design.separatrices = TraceSeparatrices(design.map, progress.Part(0.6, 0.7));
-  design.mesh = MakeTMesh(design.map, design.separatrices);
+  design.layouts = LayoutSet(LayOut(ShareTopology(domain.MeshOn(singularities)), singularities,
+    options.map, options.clean, progress.Part(0.1, 0.7)));
   design.nodes.singularities = singularities;
   if (options.quads)
   {
-    design.quads = MakeQuads(
-      design.map, design.mesh, *options.quads, progress.Part(0.7, options.clean ? 0.75 : 1.0));
+    design.quads =
+      MakeQuads(design.layouts, *options.quads, progress.Part(0.7, options.clean ? 0.75 : 1.0));
     if (options.clean)
     {
       Clean(domain, options, design, progress.Part(0.75, 1.0));
     }
-    design.nodes = FindNodePositions(design.map, design.quads->mesh, singularities, singularities);
+    design.nodes = FindNodePositions(
+      design.layouts.Single().map, design.quads->mesh, singularities, singularities);
   }
+  const Layout& layout = design.layouts.Single();
+  design.separatrices = TraceSeparatrices(layout.map);
   design.shortestArc = std::numeric_limits<double>::infinity();
-  for (const TArc& arc : design.mesh.arcs)
+  for (const TArc& arc : layout.tMesh.arcs)
   {
     design.shortestArc = std::min(design.shortestArc, arc.length);
   }
-  design.colours = ColourPatches(design.mesh, options.earlier);
+  design.colours = ColourPatches(layout.tMesh, options.earlier);
   design.seconds = stopwatch.Lap();
   progress.Report(1.0);
   return design;

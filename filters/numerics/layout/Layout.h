@@ -1,0 +1,49 @@
+#pragma once
+
+#include "PairedSides.h"
+#include "PotentialSolver.h"
+#include "Progress.h"
+#include "SeamlessMapSolve.h"
+#include "TMesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace crossfield
+{
+/// Singularities of one region with their seamless map and its T-mesh.
+struct Layout
+{
+  Configuration singularities;
+  SeamlessMap map;
+  TMesh tMesh;
+  /// The factor that the map was solved with, for its derivatives; null if it was not retained.
+  std::shared_ptr<const PotentialSolver> potential = nullptr;
+  double mapSeconds = 0.0;   ///< Time to solve for the map.
+  double traceSeconds = 0.0; ///< Time to trace the separatrices.
+};
+
+/// The layouts of a domain, one per region, with the pairs of sides whose nodes match.
+struct LayoutSet
+{
+  std::vector<Layout> regions;
+  std::vector<PairedSides> pairs;
+
+  LayoutSet() = default;
+  explicit LayoutSet(Layout region, std::vector<PairedSides> matching = {});
+
+  /// Returns the only layout. Throws Error if there are several regions: steps that call this work on
+  /// one.
+  const Layout& Single() const;
+  Layout& Single();
+};
+
+/// Solves for the map of singularities on a mesh with vertices at them, traces the separatrices and
+/// builds the T-mesh. `retainsFactor` keeps the factor of the potential, with which the layout takes
+/// half as much memory again. Throws Error as SolveSeamlessMap, TraceSeparatrices and MakeTMesh do.
+Layout LayOut(const SharedPlanarTopology& topology, const Configuration& singularities,
+  const SeamlessMapOptions& options, bool retainsFactor, const Progress& progress = {});
+
+/// Returns the maximum distance between corresponding singularities.
+double LargestMove(const Configuration& from, const Configuration& to);
+}
