@@ -31,17 +31,6 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the area of the map, which is the domain's.
-double AreaOf(const TMesh& tMesh)
-{
-  double area = 0.0;
-  for (const TPatch& patch : tMesh.patches)
-  {
-    area += tMesh.SideLength(patch, 0) * tMesh.SideLength(patch, 1);
-  }
-  return area;
-}
-
 /// Builds, smooths and measures meshes of one T-mesh.
 class Mesher
 {

@@ -21,4 +21,14 @@ std::vector<double> TargetLengths(const TMesh& mesh, const TargetSizes& sizes)
   }
   return lengths;
 }
+
+double AreaOf(const TMesh& mesh)
+{
+  double area = 0.0;
+  for (const TPatch& patch : mesh.patches)
+  {
+    area += mesh.SideLength(patch, 0) * mesh.SideLength(patch, 1);
+  }
+  return area;
+}
 }

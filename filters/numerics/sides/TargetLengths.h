@@ -11,4 +11,7 @@ namespace crossfield
 /// the length in the map for Conformal, otherwise ∫ ds / h in the plane. Throws Error if h is not
 /// positive.
 std::vector<double> TargetLengths(const TMesh& mesh, const TargetSizes& sizes);
+
+/// Returns the area of the map, which is the domain's.
+double AreaOf(const TMesh& mesh);
 }
