@@ -428,7 +428,7 @@ TEST_F(LayoutDesigner, SnapJoinsNearlyCoincidentSeparatrices)
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_GT(this->Value("ShortestArc"), 1.0);
   EXPECT_LT(this->Value("Faces"), patches);
-  EXPECT_NE(this->Text("Events").find("nearly coincident"), std::string::npos)
+  EXPECT_NE(this->Text("Events").find("separatrices were joined: "), std::string::npos)
     << this->Text("Events");
   this->Filter->SetSnapTolerance(1e-9);
   this->Filter->Undo();

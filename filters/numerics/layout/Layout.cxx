@@ -26,12 +26,6 @@ const Layout& LayoutSet::Single() const
   return this->regions.front();
 }
 
-Layout& LayoutSet::Single()
-{
-  static_cast<const LayoutSet*>(this)->Single(); // throws Error
-  return this->regions.front();
-}
-
 Layout LayOut(const SharedPlanarTopology& topology, const Configuration& singularities,
   const SeamlessMapOptions& options, bool retainsFactor, const Progress& progress)
 {

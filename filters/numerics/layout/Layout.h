@@ -35,12 +35,12 @@ struct LayoutSet
   /// Returns the only layout. Throws Error if there are several regions: steps that call this work on
   /// one.
   const Layout& Single() const;
-  Layout& Single();
 };
 
 /// Solves for the map of singularities on a mesh with vertices at them, traces the separatrices and
-/// builds the T-mesh. `retainsFactor` keeps the factor of the potential, with which the layout takes
-/// half as much memory again. Throws Error as SolveSeamlessMap, TraceSeparatrices and MakeTMesh do.
+/// builds the T-mesh. `retainsFactor` keeps the factor of the potential, which saves CloseLayout one
+/// factorisation; otherwise it is freed before that of the map is made. Throws Error as
+/// SolveSeamlessMap, TraceSeparatrices and MakeTMesh do.
 Layout LayOut(const SharedPlanarTopology& topology, const Configuration& singularities,
   const SeamlessMapOptions& options, bool retainsFactor, const Progress& progress = {});
 

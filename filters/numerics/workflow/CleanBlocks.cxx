@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -40,15 +38,6 @@ bool IsAsGood(const QuadQuality& quality, const QuadQuality& start)
     quality.variation <= std::max(1.35 * start.variation, start.variation + 0.05);
 }
 
-/// Returns whether a mesh has fewer blocks than another one, or as many and a larger minimum scaled
-/// Jacobian.
-bool IsBetter(const QuadResult& a, const QuadResult& b)
-{
-  const std::size_t blocks = a.blocks.blocks.size();
-  const std::size_t others = b.blocks.blocks.size();
-  return blocks != others ? blocks < others : a.quality.jacobian.min > b.quality.jacobian.min;
-}
-
 /// Returns the number of maps that the options allow for a number of singularities.
 int MapsWithin(const CleanOptions& options, std::size_t singularities)
 {
@@ -63,18 +52,20 @@ struct ClosingStart
   std::vector<int> tried;
 };
 
-/// An attempt to close a layout, and what came of it.
+/// An attempt to close a layout.
 struct Attempt
 {
+  std::size_t ratio = 0;    ///< Entry of Coarseness.
   bool isFromFirst = false; ///< From the layout of the start, not from the best one.
-  double coarseness = 0.0;
-  std::vector<int> arcs; ///< The arcs that should vanish.
-  int maximumMaps = 0;   ///< The limit with which it was made.
-  bool isEvaluated = false;
-  int maps = 0;                    ///< Number of maps that were solved.
-  LayoutSet layouts;               ///< The closed layout.
+  std::vector<int> arcs;    ///< The arcs that should vanish.
+};
+
+/// Result of an attempt.
+struct Outcome
+{
+  int maps = 0; ///< Number of maps that were solved.
+  LayoutSet layouts;
   std::optional<QuadResult> quads; ///< Absent if the layout has no quads or is that of the start.
-  std::exception_ptr failure;
 };
 
 /// The search for a mesh with fewer blocks.
@@ -97,115 +88,7 @@ public:
     this->Closing.size = start.quads.size;
   }
 
-  /// Closes for the ratio of coarse quads with an index, from the best layout and, if that fails, from
-  /// the start. Returns false if what was tried failed.
-  bool Try(std::size_t i, const Progress& progress)
-  {
-    this->Closing.coarseness = Coarseness[i];
-    const bool hasTwo = this->Result.accepted;
-    const Outcome outcome = this->TryFrom(false, i, progress.Part(0.0, 0.5));
-    if (outcome == Outcome::Accepted)
-    {
-      this->Prepared.clear(); // they start from another layout
-      this->Best.layout = this->Result.mesh.layouts.Single();
-      this->Best.tried = FindArcsToClose(this->Best.layout.tMesh, this->Closing);
-      return true;
-    }
-    if (outcome == Outcome::Nothing || !hasTwo)
-    {
-      return outcome == Outcome::Nothing;
-    }
-    if (this->TryFrom(true, i, progress.Part(0.5, 1.0)) == Outcome::Accepted)
-    {
-      this->Prepared.clear();
-      this->Best = { this->Result.mesh.layouts.Single(), {} };
-      return true;
-    }
-    return false;
-  }
-
-  CleanBlocksResult TakeResult()
-  {
-    this->Result.largestMove = LargestMove(
-      this->First.layout.singularities, this->Result.mesh.layouts.Single().singularities);
-    return std::move(this->Result);
-  }
-
-private:
-  enum class Outcome
-  {
-    Nothing, ///< There are no other arcs than those that were tried.
-    Failed,
-    Accepted
-  };
-
-  ClosingStart& StartOf(bool isFromFirst) { return isFromFirst ? this->First : this->Best; }
-
-  /// Returns the limit of maps of the next attempt.
-  int MapsLeft() const
-  {
-    return std::min(ClosingOptions().maximumMaps, this->MaximumMaps - this->Result.maps);
-  }
-
-  Outcome TryFrom(bool isFromFirst, std::size_t i, const Progress& progress)
-  {
-    ClosingStart& start = this->StartOf(isFromFirst);
-    Attempt attempt = this->Prepare(isFromFirst, i);
-    if (attempt.arcs == start.tried || attempt.maximumMaps <= 0)
-    {
-      return Outcome::Nothing;
-    }
-    if (!attempt.isEvaluated)
-    {
-      attempt = this->EvaluateBatch(std::move(attempt), i, progress);
-    }
-    start.tried = std::move(attempt.arcs);
-    if (attempt.failure)
-    {
-      std::rethrow_exception(attempt.failure);
-    }
-    this->Result.maps += attempt.maps;
-    if (!attempt.quads || !IsAsGood(attempt.quads->quality, this->Start.quality) ||
-      !KeepsCount(*attempt.quads, this->Start, this->Options.quads) ||
-      !IsBetter(*attempt.quads, this->Result.mesh.quads))
-    {
-      return Outcome::Failed;
-    }
-    this->Result.accepted = true;
-    this->Result.coarseness = attempt.coarseness;
-    this->Result.mesh = { std::move(attempt.layouts), std::move(*attempt.quads) };
-    return Outcome::Accepted;
-  }
-
-  /// Returns an attempt with the present limit of maps: the one that was evaluated together with an
-  /// earlier attempt, if it would have the same result with this limit, or one to evaluate.
-  Attempt Prepare(bool isFromFirst, std::size_t i)
-  {
-    const auto found = std::find_if(this->Prepared.begin(), this->Prepared.end(),
-      [&](const Attempt& one)
-      { return one.isFromFirst == isFromFirst && one.coarseness == Coarseness[i]; });
-    if (found != this->Prepared.end())
-    {
-      Attempt attempt = std::move(*found);
-      this->Prepared.erase(found);
-      if (attempt.maps <= this->MapsLeft())
-      {
-        attempt.maximumMaps = this->MapsLeft();
-        return attempt;
-      }
-    }
-    Attempt attempt;
-    attempt.isFromFirst = isFromFirst;
-    attempt.coarseness = Coarseness[i];
-    attempt.maximumMaps = this->MapsLeft();
-    ClosingOptions options = this->Closing;
-    options.coarseness = attempt.coarseness;
-    attempt.arcs = FindArcsToClose(this->StartOf(isFromFirst).layout.tMesh, options);
-    return attempt;
-  }
-
-  /// Evaluates an attempt, together with those that follow if it fails, which are kept. Returns it.
-  Attempt EvaluateBatch(Attempt attempt, std::size_t i, const Progress& progress)
+  CleanBlocksResult Run(const Progress& progress)
   {
     // Later attempts close more arcs and take longer, so with more of them at the same time the search
     // would take longer than with one thread.
@@ -213,72 +96,133 @@ private:
     const std::size_t batch = std::min(MostAtOnce,
       CandidateBatch(std::max(
         this->Start.mesh.quads.size(), this->First.layout.map.topology->mesh.triangles.size())));
-    this->Prepared.clear(); // made for another number of maps that are left
-    std::vector<Attempt> attempts;
-    std::array<std::vector<int>, 2> tried = { this->Best.tried, this->First.tried };
-    const auto add = [&](Attempt one)
-    {
-      std::vector<int>& last = tried[one.isFromFirst ? 1 : 0];
-      if (one.arcs != last && one.maximumMaps > 0 && !one.isEvaluated)
-      {
-        last = one.arcs;
-        attempts.push_back(std::move(one));
-      }
-    };
-    const bool fromFirst = attempt.isFromFirst;
-    add(std::move(attempt));
-    for (std::size_t next = i; next < Coarseness.size() && attempts.size() < batch; ++next)
-    {
-      for (const bool isFromFirst : { false, true })
-      {
-        const bool isLater = next > i || (isFromFirst && !fromFirst);
-        if (isLater && (!isFromFirst || this->Result.accepted) && attempts.size() < batch)
-        {
-          add(this->Prepare(isFromFirst, next));
-        }
-      }
-    }
     ProgressOfParts shared(progress);
-    ForParts(attempts.size(), [&](std::size_t a) { this->Evaluate(attempts[a], shared.Get()); });
-    Attempt result = std::move(attempts.front());
-    this->Prepared.insert(this->Prepared.end(), std::make_move_iterator(attempts.begin() + 1),
-      std::make_move_iterator(attempts.end()));
-    return result;
+    std::size_t next = 0;
+    for (bool isAccepted = true; isAccepted;)
+    {
+      const std::vector<Attempt> attempts = this->AttemptsFrom(next);
+      isAccepted = AcceptFirst(
+        attempts.size(), batch,
+        [&](std::size_t a)
+        {
+          const auto ratio = static_cast<double>(attempts[a].ratio);
+          const double count = Coarseness.size();
+          return this->Evaluate(
+            attempts[a], shared.Get().Part(ratio / count, (ratio + 1.0) / count));
+        },
+        [&](std::size_t a, Outcome outcome)
+        {
+          next = attempts[a].ratio + 1;
+          return this->Accepts(attempts[a], std::move(outcome), shared.Get().Part(1.0, 1.0));
+        });
+    }
+    this->Result.largestMove = LargestMove(
+      this->First.layout.singularities, this->Result.mesh.layouts.Single().singularities);
+    return std::move(this->Result);
   }
 
-  void Evaluate(Attempt& attempt, const Progress& progress)
+private:
+  ClosingStart& StartOf(const Attempt& attempt)
   {
-    attempt.isEvaluated = true;
+    return attempt.isFromFirst ? this->First : this->Best;
+  }
+
+  ClosingOptions OptionsFor(std::size_t ratio) const
+  {
     ClosingOptions options = this->Closing;
-    options.coarseness = attempt.coarseness;
-    options.maximumMaps = attempt.maximumMaps;
-    try
+    options.coarseness = Coarseness[ratio];
+    options.maximumMaps =
+      std::min(ClosingOptions().maximumMaps, this->MaximumMaps - this->Result.maps);
+    return options;
+  }
+
+  /// Returns the attempts from a ratio on that follow each other if all fail: from the best layout and,
+  /// if that is not the start, from the start. Ratios that merge the same arcs as the last one are
+  /// skipped. The search ends after two failures in a row.
+  std::vector<Attempt> AttemptsFrom(std::size_t ratio) const
+  {
+    // After a failure with few arcs, more arcs that vanish together often succeed; after later ones
+    // rarely.
+    constexpr double Early = 2.0;
+    constexpr int MaximumFailures = 2;
+    std::vector<Attempt> attempts;
+    std::vector<int> triedFromBest = this->Best.tried;
+    std::vector<int> triedFromFirst = this->First.tried;
+    for (int failures = 0; ratio < Coarseness.size() && failures < MaximumFailures; ++ratio)
     {
-      ClosingResult closed =
-        CloseLayout(this->Domain, this->StartOf(attempt.isFromFirst).layout, options, progress);
-      attempt.maps = closed.maps;
-      attempt.layouts = LayoutSet(std::move(closed.layout), this->Result.mesh.layouts.pairs);
-    }
-    catch (...)
-    {
-      attempt.failure = std::current_exception();
-      return;
-    }
-    try
-    {
-      if (attempt.maps > 0)
+      const auto add = [&](const ClosingStart& start, bool isFromFirst, std::vector<int>& tried)
       {
-        attempt.quads = MakeQuads(attempt.layouts, this->Options.quads);
+        std::vector<int> arcs = FindArcsToClose(start.layout.tMesh, this->OptionsFor(ratio));
+        const bool isNew = arcs != tried;
+        if (isNew)
+        {
+          tried = arcs;
+          attempts.push_back({ ratio, isFromFirst, std::move(arcs) });
+        }
+        return isNew;
+      };
+      const bool isTried = add(this->Best, false, triedFromBest);
+      if (isTried && this->Result.accepted)
+      {
+        add(this->First, true, triedFromFirst);
+      }
+      failures = !isTried ? 0 : Coarseness[ratio] > Early ? failures + 1 : failures;
+    }
+    return attempts;
+  }
+
+  Outcome Evaluate(const Attempt& attempt, const Progress& progress)
+  {
+    Outcome outcome;
+    const ClosingOptions options = this->OptionsFor(attempt.ratio);
+    if (options.maximumMaps <= 0)
+    {
+      return outcome;
+    }
+    ClosingResult closed =
+      CloseLayout(this->Domain, this->StartOf(attempt).layout, options, progress);
+    outcome.maps = closed.maps;
+    outcome.layouts = LayoutSet(std::move(closed.layout), this->Result.mesh.layouts.pairs);
+    try
+    {
+      if (outcome.maps > 0)
+      {
+        outcome.quads = MakeQuads(outcome.layouts, this->Options.quads);
       }
     }
     catch (const Error&)
     {
       // The layout has no quad mesh.
     }
-    catch (...)
+    return outcome;
+  }
+
+  /// Takes the outcome of an attempt as the result if it is better.
+  bool Accepts(const Attempt& attempt, Outcome outcome, const Progress& progress)
+  {
+    const ClosingOptions options = this->OptionsFor(attempt.ratio);
+    if (outcome.maps > std::max(0, options.maximumMaps))
     {
-      attempt.failure = std::current_exception();
+      // It was evaluated together with an attempt that has left fewer maps.
+      outcome = this->Evaluate(attempt, progress);
     }
+    this->StartOf(attempt).tried = attempt.arcs;
+    this->Result.maps += outcome.maps;
+    if (!outcome.quads || !IsAsGood(outcome.quads->quality, this->Start.quality) ||
+      !KeepsCount(*outcome.quads, this->Start, this->Options.quads) ||
+      !IsBetter(*outcome.quads, this->Result.mesh.quads))
+    {
+      return false;
+    }
+    this->Result.accepted = true;
+    this->Result.coarseness = options.coarseness;
+    this->Result.mesh = { std::move(outcome.layouts), std::move(*outcome.quads) };
+    this->Best = { this->Result.mesh.layouts.Single(), {} };
+    if (!attempt.isFromFirst)
+    {
+      this->Best.tried = FindArcsToClose(this->Best.layout.tMesh, options);
+    }
+    return true;
   }
 
   const PlanarDomain& Domain;
@@ -288,9 +232,6 @@ private:
   ClosingStart First;
   ClosingStart Best;
   ClosingOptions Closing;
-  /// Attempts that follow the present one if all fail, evaluated together with it. Fewer than the
-  /// threads.
-  std::vector<Attempt> Prepared;
   CleanBlocksResult Result;
 };
 }
@@ -301,24 +242,18 @@ bool IsCleaner(const QuadResult& candidate, const QuadResult& start)
     IsAsGood(candidate.quality, start.quality);
 }
 
+bool IsBetter(const QuadResult& a, const QuadResult& b)
+{
+  const std::size_t blocks = a.blocks.blocks.size();
+  const std::size_t others = b.blocks.blocks.size();
+  return blocks != others ? blocks < others : a.quality.jacobian.min > b.quality.jacobian.min;
+}
+
 CleanBlocksResult CleanBlocks(const PlanarDomain& domain, MeshedLayout start,
   const CleanOptions& options, const Progress& progress)
 {
-  // After a failure with few arcs, more arcs that vanish together often succeed; after later ones
-  // rarely.
-  constexpr double Early = 2.0;
-  constexpr int MaximumFailures = 2;
-  CleanSearch search(domain, start, options);
-  int failures = 0; // in a row
-  const auto count = static_cast<double>(Coarseness.size());
-  for (std::size_t i = 0; i < Coarseness.size() && failures < MaximumFailures; ++i)
-  {
-    const auto done = static_cast<double>(i);
-    const bool fails = !search.Try(i, progress.Part(done / count, (done + 1.0) / count));
-    failures = fails && Coarseness[i] > Early ? failures + 1 : fails ? failures : 0;
-  }
+  CleanBlocksResult result = CleanSearch(domain, start, options).Run(progress);
   progress.Report(1.0);
-  CleanBlocksResult result = search.TakeResult();
   // A layout with as many blocks is a better start, but no reason to move singularities.
   if (result.mesh.quads.blocks.blocks.size() >= start.quads.blocks.blocks.size())
   {

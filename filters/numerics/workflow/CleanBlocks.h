@@ -38,6 +38,10 @@ struct CleanBlocksResult
 /// as large or 0.05 larger, and no quad is inverted.
 bool IsCleaner(const QuadResult& candidate, const QuadResult& start);
 
+/// Returns whether a mesh has fewer blocks than another one, or as many and a larger minimum scaled
+/// Jacobian.
+bool IsBetter(const QuadResult& a, const QuadResult& b);
+
 /// Moves singularities so that separatrices that nearly meet do meet, for fewer blocks
 /// (docs/method.md §14.10). Closes the layout for several ratios of coarse quads, and keeps the mesh
 /// with the fewest blocks that may replace the start (IsCleaner); `start` is returned if there is

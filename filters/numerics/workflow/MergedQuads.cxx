@@ -61,13 +61,6 @@ MeshedLayout WithMergedBlocks(
   return { meshed.layouts, MakeQuads(meshed.layouts, options, progress) };
 }
 
-bool IsBetter(const QuadResult& a, const QuadResult& b)
-{
-  return a.blocks.blocks.size() != b.blocks.blocks.size()
-    ? a.blocks.blocks.size() < b.blocks.blocks.size()
-    : a.quality.jacobian.min > b.quality.jacobian.min;
-}
-
 /// Merges separatrices without moving singularities, in the layout with the fewest blocks: in that
 /// where they were moved or, if that has more blocks, in `start`, whose map has the options `map`.
 void Merge(const MeshedLayout& start, const SeamlessMapOptions& map, MergedQuads& merged,
