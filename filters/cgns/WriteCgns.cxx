@@ -19,9 +19,9 @@ namespace
 using crossfield::BlockConnection;
 using crossfield::BlockFaces;
 using crossfield::BlockRange;
-using crossfield::ExportBlock;
-using crossfield::ExportMesh;
 using crossfield::Index;
+using crossfield::MeshBlock;
+using crossfield::SolverMesh;
 
 constexpr std::size_t NameLength = 32;
 
@@ -43,7 +43,7 @@ std::string ZoneName(std::size_t block)
 class Writer
 {
 public:
-  Writer(const ExportMesh& mesh, int file)
+  Writer(const SolverMesh& mesh, int file)
     : Mesh(mesh)
     , File(file)
     , Faces(FindBlockFaces(mesh))
@@ -83,7 +83,7 @@ public:
 private:
   void WriteZone(std::size_t number, int space)
   {
-    const ExportBlock& block = this->Mesh.blocks[number];
+    const MeshBlock& block = this->Mesh.blocks[number];
     std::vector<cgsize_t> size; // numbers of points, of cells, then zeros
     for (const int points : { 1, 0 })
     {
@@ -204,7 +204,7 @@ private:
     }
   }
 
-  const ExportMesh& Mesh;
+  const SolverMesh& Mesh;
   int File;
   BlockFaces Faces;
   int Base = 0;
@@ -214,7 +214,7 @@ private:
 };
 }
 
-void crossfieldWriteCgns(const ExportMesh& mesh, std::string& bytes, std::string& error)
+void crossfieldWriteCgns(const SolverMesh& mesh, std::string& bytes, std::string& error)
 {
   try
   {

@@ -1,13 +1,13 @@
 #ifndef WriteCgns_h
 #define WriteCgns_h
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 
 #include <string>
 
 /** Type of the function that the library for CGNS exports. */
 using WriteCgnsFunction = void(
-  const crossfield::ExportMesh& mesh, std::string& bytes, std::string& error);
+  const crossfield::SolverMesh& mesh, std::string& bytes, std::string& error);
 /** Its name in the library. */
 constexpr const char* WriteCgnsName = "crossfieldWriteCgns";
 

@@ -1,11 +1,12 @@
 #include "vtkExtrudeQuads.h"
 
 #include "ColumnWriting.h"
-#include "ExportConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "HigherOrderConversion.h"
 #include "QuadBoundary.h"
+#include "SolverMeshReading.h"
+#include "SolverMeshWriting.h"
+#include "SweepQuads.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkInformation.h"
@@ -48,9 +49,8 @@ int vtkExtrudeQuads::RequestData(
   return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
     {
-      vtkNew<vtkUnstructuredGrid> mesh;
-      HigherOrderConversion::Join(input, QuadBoundary::Find(this), mesh);
-      const ExportConversion::Cells quads = ExportConversion::ReadMesh(mesh);
+      vtkNew<vtkUnstructuredGrid> grid;
+      SolverMeshReading::Join(input, QuadBoundary::Find(this), grid);
       crossfield::Sweep sweep;
       sweep.kind =
         this->Motion == Translation ? crossfield::Sweep::Translation : crossfield::Sweep::Rotation;
@@ -59,12 +59,13 @@ int vtkExtrudeQuads::RequestData(
       sweep.angle = this->Angle;
       sweep.axis = this->Axis;
       progress.Report(0.2);
-      const crossfield::SweptMesh swept = crossfield::SweepQuads(quads.mesh, sweep);
+      const crossfield::SolverMesh swept =
+        crossfield::SweepQuads(SolverMeshReading::Read(grid), sweep);
       progress.Report(0.6);
       vtkNew<vtkMultiBlockDataSet> blocks;
-      ExportConversion::WriteBlocks(swept.mesh, blocks);
+      SolverMeshWriting::WriteBlocks(swept, blocks);
       vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-      ExportConversion::WriteSwept(swept, quads, mesh, output);
+      SolverMeshWriting::WriteMesh(swept, grid, output);
       if (this->Motion == Translation)
       {
         ColumnWriting::AddNumbers(output->GetFieldData(), names::SweepHeight, { this->Height });

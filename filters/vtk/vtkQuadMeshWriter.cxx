@@ -2,13 +2,12 @@
 
 #include "CgnsLibrary.h"
 #include "Error.h"
-#include "ExportConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "FoamCase.h"
-#include "HigherOrderConversion.h"
 #include "MeshFormats.h"
 #include "QuadBoundary.h"
+#include "SolverMeshReading.h"
 #include "TextFile.h"
 
 #include "vtkErrorCode.h"
@@ -48,12 +47,12 @@ std::vector<crossfield::FileText> FilesOf(
   {
     return { { name, LegacyBytes(mesh) } };
   }
-  crossfield::ExportMesh exported = ExportConversion::ReadMesh(mesh).mesh;
+  crossfield::SolverMesh read = SolverMeshReading::Read(mesh);
   if (format == MeshFormat::Cgns)
   {
-    return { { name, CgnsLibrary::Write(std::move(exported)) } };
+    return { { name, CgnsLibrary::Write(std::move(read)) } };
   }
-  return crossfield::WriteMeshFiles(std::move(exported), name,
+  return crossfield::WriteMeshFiles(std::move(read), name,
     mshVersion == vtkQuadMeshWriter::Msh22 ? crossfield::MshVersion::V22
                                            : crossfield::MshVersion::V41);
 }
@@ -115,7 +114,7 @@ void vtkQuadMeshWriter::WriteData()
     [&](const crossfield::Progress& progress)
     {
       vtkNew<vtkUnstructuredGrid> mesh;
-      HigherOrderConversion::Join(input, QuadBoundary::Find(this), mesh);
+      SolverMeshReading::Join(input, QuadBoundary::Find(this), mesh);
       progress.Report(0.1);
       std::vector<crossfield::FileText> files = FilesOf(mesh, this->FileName, this->MshVersion);
       progress.Report(0.8);

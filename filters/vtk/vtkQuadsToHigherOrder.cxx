@@ -1,19 +1,47 @@
 #include "vtkQuadsToHigherOrder.h"
 
+#include "ColumnWriting.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "HigherOrderConversion.h"
 #include "QuadBoundary.h"
+#include "RaiseOrder.h"
+#include "SolverMeshReading.h"
+#include "SolverMeshWriting.h"
+#include "vtkCrossFieldArrayNames.h"
 
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <string>
-
 vtkStandardNewMacro(vtkQuadsToHigherOrder);
+
+namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+void WriteQuality(const crossfield::SolverMesh& mesh, const crossfield::OrderQuality& quality,
+  vtkUnstructuredGrid* output)
+{
+  auto ratios = ColumnWriting::NewArray<vtkDoubleArray>(
+    output->GetCellData(), names::JacobianRatio, 1, output->GetNumberOfCells(), 1.0);
+  for (std::size_t quad = 0; quad < quality.jacobianRatios.size(); ++quad)
+  {
+    ratios->SetValue(mesh.sources.cells[quad], quality.jacobianRatios[quad]);
+  }
+  vtkFieldData* report = output->GetFieldData();
+  ColumnWriting::AddIntegers(report, names::Order, { mesh.order });
+  ColumnWriting::AddNumbers(report, names::JacobianRatioMin, { quality.jacobianRatio });
+  ColumnWriting::AddIntegers(report, names::CurvedInverted, { quality.inverted });
+  ColumnWriting::AddIntegers(report, names::CurvedRows, { quality.curvedRows });
+  if (!quality.sagittas.empty())
+  {
+    ColumnWriting::AddNumbers(report, names::CurveSagitta, quality.sagittas);
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkQuadsToHigherOrder::vtkQuadsToHigherOrder()
@@ -35,23 +63,29 @@ int vtkQuadsToHigherOrder::RequestData(
   return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
     {
-      vtkNew<vtkUnstructuredGrid> mesh;
-      HigherOrderConversion::Join(input, QuadBoundary::Find(this), mesh);
+      vtkNew<vtkUnstructuredGrid> grid;
+      SolverMeshReading::Join(input, QuadBoundary::Find(this), grid);
       progress.Report(0.1);
-      const HigherOrderConversion::Quads quads = HigherOrderConversion::ReadQuads(mesh);
+      crossfield::SolverMesh quads = SolverMeshReading::Read(grid);
+      SolverMeshReading::ReadCurves(grid, quads);
+      vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
       if (this->Order == 1)
       {
-        vtkUnstructuredGrid::GetData(outputVector)->ShallowCopy(mesh);
+        output->ShallowCopy(grid);
         return;
       }
-      const crossfield::CurvedQuads curved =
-        crossfield::RaiseOrder(quads.straight, this->Order, progress.Part(0.1, 0.9));
-      if (curved.inverted > 0)
+      crossfield::OrderQuality quality;
+      const crossfield::SolverMesh raised =
+        crossfield::RaiseOrder(quads, this->Order, quality, progress.Part(0.1, 0.9));
+      if (quality.inverted > 0)
       {
-        vtkWarningMacro(<< HigherOrderConversion::DescribeInverted(curved));
+        vtkWarningMacro(<< quality.inverted << " of the curved quads "
+                        << (quality.inverted == 1 ? "is" : "are")
+                        << " inverted, the worst one near " << crossfield::Describe(quality.worst)
+                        << "; use smaller quads there.");
       }
-      HigherOrderConversion::WriteQuads(
-        quads, curved, mesh, vtkUnstructuredGrid::GetData(outputVector));
+      SolverMeshWriting::WriteMesh(raised, grid, output);
+      WriteQuality(raised, quality, output);
     });
 }
 

@@ -6,6 +6,7 @@
 #include "MapConversion.h"
 #include "PatchConversion.h"
 #include "PlanarDomain.h"
+#include "PlanarTopology.h"
 #include "Stopwatch.h"
 #include "TMeshConversion.h"
 #include "TMeshPatches.h"

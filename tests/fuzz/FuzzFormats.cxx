@@ -27,9 +27,9 @@ void Require(bool condition, const char* what)
 }
 
 /** Returns a valid grid of quads, which is one block and may close to a ring. */
-ExportMesh MakeGrid(FuzzedDataProvider& bytes)
+SolverMesh MakeGrid(FuzzedDataProvider& bytes)
 {
-  ExportMesh mesh;
+  SolverMesh mesh;
   mesh.order = bytes.ConsumeIntegralInRange<int>(1, 3);
   const int columns = bytes.ConsumeIntegralInRange<int>(1, 5);
   const int rows = bytes.ConsumeIntegralInRange<int>(1, 4);
@@ -42,7 +42,7 @@ ExportMesh MakeGrid(FuzzedDataProvider& bytes)
     mesh.points.emplace_back(0.3 * (n % wide), low + 0.2 * (n / wide), 0.0);
   }
   const auto at = [&](int i, int j) { return i % wide + wide * j; };
-  ExportBlock block = { { columns, rows, 0 }, {} };
+  MeshBlock block = { { columns, rows, 0 }, {} };
   for (int j = 0; j <= rows; ++j)
   {
     for (int i = 0; i <= columns; ++i)
@@ -105,7 +105,7 @@ void Damage(std::vector<int>& numbers, FuzzedDataProvider& bytes)
     bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<int>(-1, 40) : bytes.ConsumeIntegral<int>();
 }
 
-void Damage(ExportMesh& mesh, FuzzedDataProvider& bytes)
+void Damage(SolverMesh& mesh, FuzzedDataProvider& bytes)
 {
   switch (bytes.ConsumeIntegralInRange<int>(0, 12))
   {
@@ -147,7 +147,7 @@ void Damage(ExportMesh& mesh, FuzzedDataProvider& bytes)
   default:
     if (!mesh.blocks.empty())
     {
-      ExportBlock& block = mesh.blocks[0];
+      MeshBlock& block = mesh.blocks[0];
       if (bytes.ConsumeBool())
       {
         Damage(block.nodes, bytes);
@@ -183,14 +183,14 @@ void Try(const Step& step)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   FuzzedDataProvider bytes(data, size);
-  ExportMesh mesh = MakeGrid(bytes);
+  SolverMesh mesh = MakeGrid(bytes);
   if (bytes.ConsumeBool())
   {
     Sweep sweep;
     sweep.kind = bytes.ConsumeBool() ? Sweep::Translation : Sweep::Rotation;
     sweep.layers = bytes.ConsumeIntegralInRange<int>(1, 4);
     sweep.angle = bytes.PickValueInArray({ 5.0, 90.0, 360.0 });
-    Try([&] { mesh = SweepQuads(mesh, sweep).mesh; });
+    Try([&] { mesh = SweepQuads(mesh, sweep); });
   }
   const int damages = bytes.ConsumeIntegralInRange<int>(0, 3);
   for (int i = 0; i < damages; ++i)

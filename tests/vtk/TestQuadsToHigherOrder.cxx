@@ -222,7 +222,7 @@ TEST_F(QuadsToHigherOrder, RefusesMeshesThatAreNotOfTheMesher)
     this->Filter, { "The inputs are not the quads and the boundary of one mesh" });
   this->Filter->RemoveAllInputConnections(1);
   this->Filter->SetInputData(TestInputs::DrilledDisk());
-  FilterChecks::CaptureError(this->Filter, { "cells that are neither quads nor lines" });
+  FilterChecks::CaptureError(this->Filter, { "other cells than quads and lines" });
   vtkNew<vtkUnstructuredGrid> mesh;
   this->Mesher->CopyMesh(mesh);
   mesh->GetFieldData()->RemoveArray("CurveValues");

@@ -1,12 +1,9 @@
 #include "FoamMesh.h"
 
-#include "CellLattice.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "Index.h"
 #include "MeshNumbering.h"
-#include "MeshText.h"
-#include "PeriodicNodes.h"
+#include "SidePairs.h"
 
 #include <algorithm>
 #include <map>
@@ -19,24 +16,17 @@ namespace
 class FaceWriting
 {
 public:
-  FaceWriting(const ExportMesh& mesh, const MeshFaces& faces, FoamMesh& result)
+  FaceWriting(const SolverMesh& mesh, const MeshFaces& faces, FoamMesh& result)
     : Mesh(mesh)
-    , Buckets(faces.buckets)
-    , Partners(faces.partners)
-    , Sides(faces.sides)
+    , Faces(faces)
+    , OfSide(faces.OfSides())
+    , Numbering(mesh, NodeOrder::Abaqus, 0)
     , Result(result)
   {
-    const CellLattice lattice(3, 1);
-    for (int face = 0; face < lattice.FaceCount(); ++face)
-    {
-      this->Corners.push_back(lattice.FaceCorners(face));
-    }
-    MeshNumbering numbering = NumberNodes(mesh, lattice.AbaqusOrder(), 0);
-    this->Number = std::move(numbering.number);
-    this->Result.point = std::move(numbering.point);
+    this->Result.point = this->Numbering.Points();
     this->Result.starts = { 0 };
     this->RequireFaces();
-    const std::size_t count = faces.partners.size(); // each inner face twice
+    const std::size_t count = faces.Count(); // each inner face twice
     this->Result.owner.reserve(count);
     this->Result.neighbour.reserve(count / 2);
     this->Result.starts.reserve(count);
@@ -52,8 +42,8 @@ public:
       upper.clear();
       for (int face = 0; face < FacesOfCell; ++face)
       {
-        const int partner = this->Partners[this->Buckets.NumberOf({ cell, face })];
-        const int other = partner < 0 ? -1 : this->Buckets.FaceOf(Index(partner)).cell;
+        const int partner = this->Faces.PartnerOf(this->Faces.NumberOf({ cell, face }));
+        const int other = partner < 0 ? -1 : this->Faces.FaceOf(Index(partner)).cell;
         if (other > cell)
         {
           upper.push_back({ other, face });
@@ -71,37 +61,18 @@ public:
   /// Brings the faces of the second side of each periodic pair into the order of the first one.
   void MatchPeriodic()
   {
-    for (const PeriodicPair& pair : this->Mesh.periodic)
+    for (const SidePair& pair : this->Mesh.pairs)
     {
-      std::map<int, int> images;
-      for (const auto& [node, image] : PeriodicNodes(this->Mesh, pair))
+      const PairMatch match = MatchPair(this->Mesh, this->Faces, pair);
+      const std::vector<CellFace>& first = this->Faces.OfSide(pair.first);
+      const std::vector<CellFace>& second = this->Faces.OfSide(pair.second);
+      for (std::size_t i = 0; i < first.size(); ++i)
       {
-        images[node] = image;
+        const CellFace& image = second[Index(match.faces[i])];
+        this->OfSide[Index(pair.second)][i] = image;
+        this->FirstCorner[this->Faces.NumberOf(image)] = this->Numbering.NumberOf(
+          match.nodes.at(this->Numbering.Points()[Index(this->Numbering.OfFace(first[i])[0])]));
       }
-      std::map<FaceBuckets::Key, SideFace> second;
-      for (const SideFace& face : this->Sides.ofSide[Index(pair.second)])
-      {
-        second[this->Buckets.KeyOf(this->Buckets.NumberOf(face))] = face;
-      }
-      std::vector<SideFace> ordered;
-      for (const SideFace& face : this->Sides.ofSide[Index(pair.first)])
-      {
-        std::array<int, 4> corners{};
-        for (std::size_t i = 0; i < corners.size(); ++i)
-        {
-          corners[i] = images.at(this->Mesh.Cell(face.cell)[this->Corners[Index(face.face)][i]]);
-        }
-        const auto match = second.find(FaceBuckets::MakeKey(corners.data(), corners.size()));
-        if (match == second.end())
-        {
-          throw Error("The periodic sides '" + this->Mesh.sideNames[Index(pair.first)] + "' and '" +
-            this->Mesh.sideNames[Index(pair.second)] +
-            "' have different faces; make the mesh again.");
-        }
-        ordered.push_back(match->second);
-        this->FirstCorner[this->Buckets.NumberOf(match->second)] = corners[0];
-      }
-      this->Sides.ofSide[Index(pair.second)] = ordered;
     }
   }
 
@@ -114,11 +85,12 @@ public:
       patches[patch].start = static_cast<int>(this->Result.owner.size());
       for (std::size_t side = 0; side < patchOf.size(); ++side)
       {
-        if (patchOf[side] != static_cast<int>(patch) || this->Sides.isInside[side])
+        if (patchOf[side] != static_cast<int>(patch) ||
+          this->Faces.IsInside(static_cast<int>(side)))
         {
           continue;
         }
-        for (const SideFace& face : this->Sides.ofSide[side])
+        for (const CellFace& face : this->OfSide[side])
         {
           this->Add(face);
         }
@@ -145,7 +117,7 @@ public:
     const std::vector<std::string> sides = FormatNames(this->Mesh.sideNames, {});
     for (std::size_t side = 0; side < sides.size(); ++side)
     {
-      if (this->Sides.isInside[side])
+      if (this->Faces.IsInside(static_cast<int>(side)))
       {
         this->Result.faceZones.push_back({ sides[side], this->InnerFaces(side) });
       }
@@ -155,42 +127,32 @@ public:
 private:
   void RequireFaces() const
   {
-    for (std::size_t i = 0; i < this->Partners.size(); ++i)
+    for (std::size_t i = 0; i < this->Faces.Count(); ++i)
     {
-      const int partner = this->Partners[i];
+      const int partner = this->Faces.PartnerOf(i);
       if (partner < 0)
       {
         continue;
       }
-      const bool isPair = this->Partners[Index(partner)] == static_cast<int>(i);
-      if (!isPair || this->Buckets.FaceOf(i).cell == this->Buckets.FaceOf(Index(partner)).cell)
+      const bool isPair = this->Faces.PartnerOf(Index(partner)) == static_cast<int>(i);
+      if (!isPair || this->Faces.FaceOf(i).cell == this->Faces.FaceOf(Index(partner)).cell)
       {
-        throw Error("The face at " + PlaceOf(this->Mesh, this->Buckets.KeyOf(i)[0]) +
+        throw Error("The face at " + PlaceOf(this->Mesh, this->Faces.KeyOf(i)[0]) +
           (isPair ? " occurs twice in a cell; use more layers."
                   : " is between more than two cells, which OpenFOAM cannot have."));
       }
     }
   }
 
-  void Add(const SideFace& face)
+  void Add(const CellFace& face)
   {
-    const int* nodes = this->Mesh.Cell(face.cell);
-    this->Nodes.clear();
-    for (const int position : this->Corners[Index(face.face)])
-    {
-      this->Nodes.push_back(nodes[position]);
-    }
-    RemoveRepeated(this->Nodes);
-    const auto first = this->FirstCorner.find(this->Buckets.NumberOf(face));
+    std::vector<int> nodes = this->Numbering.OfFace(face);
+    const auto first = this->FirstCorner.find(this->Faces.NumberOf(face));
     if (first != this->FirstCorner.end())
     {
-      std::rotate(this->Nodes.begin(),
-        std::find(this->Nodes.begin(), this->Nodes.end(), first->second), this->Nodes.end());
+      std::rotate(nodes.begin(), std::find(nodes.begin(), nodes.end(), first->second), nodes.end());
     }
-    for (const int node : this->Nodes)
-    {
-      this->Result.corners.push_back(this->Number[Index(node)]);
-    }
+    this->Result.corners.insert(this->Result.corners.end(), nodes.begin(), nodes.end());
     this->Result.starts.push_back(static_cast<int>(this->Result.corners.size()));
     this->Result.owner.push_back(face.cell);
   }
@@ -199,15 +161,15 @@ private:
   std::vector<int> InnerFaces(std::size_t side) const
   {
     std::vector<int> faces;
-    for (const SideFace& face : this->Sides.ofSide[side])
+    for (const CellFace& face : this->OfSide[side])
     {
-      const int partner = this->Partners[this->Buckets.NumberOf(face)];
+      const int partner = this->Faces.PartnerOf(this->Faces.NumberOf(face));
       if (partner < 0)
       {
         throw Error("The side '" + this->Mesh.sideNames[side] +
           "' is in part on the boundary and in part inside; give the parts two names.");
       }
-      const int other = this->Buckets.FaceOf(Index(partner)).cell;
+      const int other = this->Faces.FaceOf(Index(partner)).cell;
       const int owner = std::min(face.cell, other);
       const auto first = std::lower_bound(this->Result.owner.begin(),
         this->Result.owner.begin() + static_cast<std::ptrdiff_t>(this->Result.neighbour.size()),
@@ -222,19 +184,18 @@ private:
     return faces;
   }
 
-  const ExportMesh& Mesh;
-  const FaceBuckets& Buckets;
-  const std::vector<int>& Partners;
-  SideFaces Sides; ///< Those of periodic sides in the order of their partners.
-  std::vector<std::vector<int>> Corners;  ///< Per face of a cell, positions of its corners.
-  std::vector<int> Number;                ///< Per point of the mesh, that of OpenFOAM.
-  std::map<std::size_t, int> FirstCorner; ///< Per face of a cyclic patch, its first node.
-  std::vector<int> Nodes;                 ///< Of a face.
+  const SolverMesh& Mesh;
+  const MeshFaces& Faces;
+  /// Per side its faces; those of the second of periodic sides in the order of their partners.
+  std::vector<std::vector<CellFace>> OfSide;
+  const MeshNumbering Numbering;
+  std::map<std::size_t, int>
+    FirstCorner; ///< Per face of a cyclic patch, the number of its first node.
   FoamMesh& Result;
 };
 }
 
-std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& patchOf)
+std::vector<FoamPatch> FoamPatches(const SolverMesh& mesh, std::vector<int>& patchOf)
 {
   const SweepEnds& sweep = mesh.sweep;
   const bool isLayer = sweep.layers == 1 && sweep.back >= 0 && sweep.front >= 0;
@@ -266,7 +227,7 @@ std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& pat
   {
     patches.push_back({ names[i], types[i], "", 0, 0 });
   }
-  for (const PeriodicPair& pair : mesh.periodic)
+  for (const SidePair& pair : mesh.pairs)
   {
     FoamPatch& first = patches[Index(patchOf[Index(pair.first)])];
     FoamPatch& second = patches[Index(patchOf[Index(pair.second)])];
@@ -277,7 +238,7 @@ std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& pat
   return patches;
 }
 
-FoamMesh MakeFoamMesh(const ExportMesh& mesh, const MeshFaces& faces)
+FoamMesh MakeFoamMesh(const SolverMesh& mesh, const MeshFaces& faces)
 {
   FoamMesh result;
   FaceWriting writing(mesh, faces, result);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
-#include "SideFaces.h"
+#include "MeshFaces.h"
 
 #include <string>
 #include <vector>
@@ -44,13 +43,13 @@ struct FoamMesh
 /// Returns the patches of a mesh without their faces, in the order of sides: of type `patch`; the ends of one
 /// layer are the patch `frontAndBack` of type `empty` if it was a translation, and `wedge` if it was a
 /// revolution; periodic sides are `cyclic`. `patchOf` receives the patch of each side. Names are words of OpenFOAM (FormatNames.h).
-std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& patchOf);
+std::vector<FoamPatch> FoamPatches(const SolverMesh& mesh, std::vector<int>& patchOf);
 
 /// Returns the faces of a mesh of hexahedra and prisms of order 1, which is oriented (OrientCells). Nodes that a
 /// face has twice are left out of it, and faces with two nodes are left out. Faces of cyclic patches begin with
 /// nodes that match.
 ///
 /// Throws Error if a face is between three cells or twice in one, a side is in part inside, and as
-/// PeriodicNodes does.
-FoamMesh MakeFoamMesh(const ExportMesh& mesh, const MeshFaces& faces);
+/// MatchPair does.
+FoamMesh MakeFoamMesh(const SolverMesh& mesh, const MeshFaces& faces);
 }

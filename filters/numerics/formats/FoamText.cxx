@@ -15,6 +15,6 @@ void AddFoamHeader(MeshText& text, std::string_view type, std::string_view locat
 
 void AddFoamPoint(MeshText& text, const Eigen::Vector3d& point)
 {
-  text.Add('(').Add(point.x()).Add(' ').Add(point.y()).Add(' ').Add(point.z()).Add(')');
+  text.Add('(').Add(point).Add(')');
 }
 }

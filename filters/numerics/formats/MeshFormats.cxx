@@ -1,8 +1,8 @@
 #include "MeshFormats.h"
 
-#include "BlockLattice.h"
 #include "Error.h"
 #include "FoamCase.h"
+#include "MeshBlocks.h"
 #include "WriteEnSight.h"
 #include "WriteExodus.h"
 #include "WriteFoam.h"
@@ -57,7 +57,7 @@ std::filesystem::path Beside(const std::string& name, const std::string& ending)
   return std::filesystem::path(name).replace_extension(ending);
 }
 
-std::vector<FileText> EnSightFiles(const ExportMesh& mesh, const std::string& name)
+std::vector<FileText> EnSightFiles(const SolverMesh& mesh, const std::string& name)
 {
   std::filesystem::path geometry = Beside(name, ".geo");
   std::string file = geometry.filename().string();
@@ -66,7 +66,7 @@ std::vector<FileText> EnSightFiles(const ExportMesh& mesh, const std::string& na
   return { { name, WriteEnSightCase(file) }, { geometry.string(), WriteEnSightGeometry(mesh) } };
 }
 
-std::vector<FileText> WriteFoamFiles(const ExportMesh& mesh, const std::string& name)
+std::vector<FileText> WriteFoamFiles(const SolverMesh& mesh, const std::string& name)
 {
   const std::string folder = FoamFolder(name);
   std::vector<FileText> files = { { FoamMarker(name), "" } };
@@ -121,7 +121,7 @@ void RequireOrder(MeshFormat format, int order)
   }
 }
 
-void PrepareMesh(ExportMesh& mesh, MeshFormat format)
+void PrepareMesh(SolverMesh& mesh, MeshFormat format)
 {
   RequireOrder(format, mesh.order);
   OrientCells(mesh);
@@ -136,7 +136,7 @@ void PrepareMesh(ExportMesh& mesh, MeshFormat format)
   }
 }
 
-std::vector<FileText> WriteMeshFiles(ExportMesh mesh, const std::string& name, MshVersion version)
+std::vector<FileText> WriteMeshFiles(SolverMesh mesh, const std::string& name, MshVersion version)
 {
   const MeshFormat format = MeshFormatOf(name);
   PrepareMesh(mesh, format);

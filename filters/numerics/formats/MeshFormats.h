@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 #include "WriteMsh.h"
 
 #include <string>
@@ -42,11 +42,11 @@ void RequireOrder(MeshFormat format, int order);
 
 /// Orients the cells and blocks of a mesh, as its format requires. Throws Error if the mesh is not
 /// complete, has no cells, or the format cannot have it.
-void PrepareMesh(ExportMesh& mesh, MeshFormat format);
+void PrepareMesh(SolverMesh& mesh, MeshFormat format);
 
 /// Prepares a mesh and returns the files that `name` stands for, in the format of its ending. A case of
 /// OpenFOAM has the files of WriteFoam.h and an empty file .foam, with which ParaView opens it.
 /// Throws Error if the format cannot have the mesh or the mesh is not complete.
 std::vector<FileText> WriteMeshFiles(
-  ExportMesh mesh, const std::string& name, MshVersion version = MshVersion::V41);
+  SolverMesh mesh, const std::string& name, MshVersion version = MshVersion::V41);
 }

@@ -1,30 +1,24 @@
 #include "MeshNumbering.h"
 
-#include "Index.h"
-
 namespace crossfield
 {
-MeshNumbering NumberNodes(const ExportMesh& mesh, const std::vector<int>& positions, int first)
+MeshNumbering::MeshNumbering(const SolverMesh& mesh, NodeOrder order, int first)
+  : Nodes(mesh, order)
+  , PointOf(this->Nodes.UsedPoints())
+  , Numbers(mesh.points.size(), -1)
 {
-  MeshNumbering result;
-  std::vector<bool> isUsed(mesh.points.size(), false);
-  for (int cell = 0; cell < mesh.CellCount(); ++cell)
+  for (const int point : this->PointOf)
   {
-    const int* nodes = mesh.Cell(cell);
-    for (const int position : positions)
-    {
-      isUsed[Index(nodes[position])] = true;
-    }
+    this->Numbers[Index(point)] = first++;
   }
-  result.number.resize(mesh.points.size(), -1);
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+}
+
+std::vector<int> MeshNumbering::Numbered(std::vector<int> points) const
+{
+  for (int& point : points)
   {
-    if (isUsed[i])
-    {
-      result.number[i] = first + static_cast<int>(result.point.size());
-      result.point.push_back(static_cast<int>(i));
-    }
+    point = this->NumberOf(point);
   }
-  return result;
+  return points;
 }
 }

@@ -1,7 +1,5 @@
 #include "MeshText.h"
 
-#include "Index.h"
-
 #include <array>
 #include <charconv>
 
@@ -53,18 +51,8 @@ MeshText& MeshText::AddIn20(double number)
   return *this;
 }
 
-MeshText& MeshText::AddShort(double number)
+MeshText& MeshText::Add(const Eigen::Vector3d& place)
 {
-  constexpr int Digits = 6;
-  AddNumber(this->Text, number, std::chars_format::general, Digits);
-  return *this;
-}
-
-std::string PlaceOf(const ExportMesh& mesh, int point)
-{
-  MeshText text;
-  const Eigen::Vector3d& place = mesh.points[Index(point)];
-  text.Add("(").AddShort(place.x()).Add(", ").AddShort(place.y()).Add(", ").AddShort(place.z());
-  return text.Add(")").Take();
+  return this->Add(place.x()).Add(' ').Add(place.y()).Add(' ').Add(place.z());
 }
 }

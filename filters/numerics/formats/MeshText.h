@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
+#include <Eigen/Core>
 
 #include <string>
 #include <string_view>
@@ -18,8 +18,9 @@ public:
   MeshText& Add(double number);
   /// Adds a number with at most 20 characters, exactly if they are enough, else with 13 digits.
   MeshText& AddIn20(double number);
-  /// Adds a number with 6 digits, for messages.
-  MeshText& AddShort(double number);
+
+  /// Adds a place in space: three numbers with blanks between them.
+  MeshText& Add(const Eigen::Vector3d& place);
 
   /// Returns the text and leaves none.
   std::string Take() { return std::move(this->Text); }
@@ -28,7 +29,4 @@ public:
 private:
   std::string Text;
 };
-
-/// Returns the place of a point for messages.
-std::string PlaceOf(const ExportMesh& mesh, int point);
 }

@@ -3,7 +3,7 @@
 #include "CutBlocks.h"
 #include "FoamMesh.h"
 #include "FoamText.h"
-#include "Index.h"
+#include "MeshBlocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,38 +26,10 @@ constexpr std::array<Place, 8> Corners = { { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0
 /// First corners of the twelve edges, four along each direction, in the order of blockMesh.
 constexpr std::array<int, 12> EdgeStarts = { 0, 3, 7, 4, 0, 1, 5, 4, 0, 1, 2, 3 };
 
-class FoundSides : public SidesOfCells
-{
-public:
-  explicit FoundSides(const MeshFaces& faces)
-    : Buckets(faces.buckets)
-    , SideOfFace(faces.buckets.Count(), -1)
-  {
-    for (std::size_t side = 0; side < faces.sides.ofSide.size(); ++side)
-    {
-      for (const SideFace& face : faces.sides.ofSide[side])
-      {
-        this->SideOfFace[this->Buckets.NumberOf(face)] =
-          faces.sides.isInside[side] ? -1 : static_cast<int>(side);
-      }
-    }
-  }
-
-  int SideOf(const std::array<int, 4>& corners) const override
-  {
-    const auto found = this->Buckets.Find(FaceBuckets::MakeKey(corners.data(), corners.size()));
-    return found.size() == 1 ? this->SideOfFace[found[0]] : -1;
-  }
-
-private:
-  const FaceBuckets& Buckets;
-  std::vector<int> SideOfFace;
-};
-
 class DictWriting
 {
 public:
-  DictWriting(const ExportMesh& mesh, const std::vector<ExportBlock>& blocks)
+  DictWriting(const SolverMesh& mesh, const std::vector<MeshBlock>& blocks)
     : Mesh(mesh)
     , Blocks(blocks)
   {
@@ -68,11 +40,11 @@ public:
   void AddVertices()
   {
     this->Text.Add("scale 1;\n\nvertices\n(\n");
-    for (const ExportBlock& block : this->Blocks)
+    for (const MeshBlock& block : this->Blocks)
     {
       for (int corner = 0; corner < 8; ++corner)
       {
-        const int node = NodeAt(block, PlaceOfCorner(block, corner));
+        const int node = block.NodeAt(PlaceOfCorner(block, corner));
         if (this->Vertices.emplace(node, static_cast<int>(this->Vertices.size())).second)
         {
           this->Text.Add("    ");
@@ -87,7 +59,7 @@ public:
   void AddBlocks()
   {
     this->Text.Add("blocks\n(\n");
-    for (const ExportBlock& block : this->Blocks)
+    for (const MeshBlock& block : this->Blocks)
     {
       this->Text.Add("    hex (");
       for (int corner = 0; corner < 8; ++corner)
@@ -118,7 +90,7 @@ public:
   {
     this->Text.Add("edges\n(\n");
     std::set<std::pair<int, int>> written;
-    for (const ExportBlock& block : this->Blocks)
+    for (const MeshBlock& block : this->Blocks)
     {
       for (std::size_t edge = 0; edge < EdgeStarts.size(); ++edge)
       {
@@ -142,18 +114,19 @@ public:
     this->Text.Add(");\n\n");
   }
 
-  void AddPatches(const FoundSides& sides)
+  void AddPatches(const MeshFaces& ofMesh)
   {
     std::vector<int> patchOf;
     const std::vector<FoamPatch> patches = FoamPatches(this->Mesh, patchOf);
     std::vector<std::vector<std::array<int, 4>>> faces(patches.size());
     constexpr std::array<std::array<int, 4>, 6> Faces = { { { 0, 3, 2, 1 }, { 4, 5, 6, 7 },
       { 0, 1, 5, 4 }, { 2, 3, 7, 6 }, { 0, 4, 7, 3 }, { 1, 2, 6, 5 } } };
-    for (const ExportBlock& block : this->Blocks)
+    for (const MeshBlock& block : this->Blocks)
     {
       for (const std::array<int, 4>& corners : Faces)
       {
-        const int side = sides.SideOf(CornerCell(block, corners));
+        const std::array<int, 4> nodes = CornerCell(block, corners);
+        const int side = ofMesh.SideOf(MeshFaces::MakeKey(nodes.data(), nodes.size()));
         if (side < 0)
         {
           continue;
@@ -190,14 +163,14 @@ public:
   std::string Take() { return this->Text.Take(); }
 
 private:
-  static Place PlaceOfCorner(const ExportBlock& block, int corner)
+  static Place PlaceOfCorner(const MeshBlock& block, int corner)
   {
     const Place& end = Corners[Index(corner)];
     return { end[0] * block.cells[0], end[1] * block.cells[1], end[2] * block.cells[2] };
   }
 
   /// Returns the corners of the first cell face in a face of a block.
-  static std::array<int, 4> CornerCell(const ExportBlock& block, const std::array<int, 4>& corners)
+  static std::array<int, 4> CornerCell(const MeshBlock& block, const std::array<int, 4>& corners)
   {
     const Place first = PlaceOfCorner(block, corners[0]);
     std::array<int, 4> nodes{};
@@ -208,14 +181,14 @@ private:
       {
         place[d] = first[d] + std::clamp(place[d] - first[d], -1, 1);
       }
-      nodes[i] = NodeAt(block, place);
+      nodes[i] = block.NodeAt(place);
     }
     return nodes;
   }
 
-  int VertexAt(const ExportBlock& block, int corner) const
+  int VertexAt(const MeshBlock& block, int corner) const
   {
-    return this->Vertices.at(NodeAt(block, PlaceOfCorner(block, corner)));
+    return this->Vertices.at(block.NodeAt(PlaceOfCorner(block, corner)));
   }
 
   double Distance(int a, int b) const
@@ -253,21 +226,16 @@ private:
       });
   }
 
-  const ExportMesh& Mesh;
-  const std::vector<ExportBlock>& Blocks;
+  const SolverMesh& Mesh;
+  const std::vector<MeshBlock>& Blocks;
   std::map<int, int> Vertices; ///< Numbers of vertices by node.
   MeshText Text;
 };
 }
 
-std::string WriteBlockMesh(const ExportMesh& mesh, const MeshFaces& faces)
+std::string WriteBlockMesh(const SolverMesh& mesh, const MeshFaces& faces)
 {
-  if (mesh.blocks.empty())
-  {
-    return "";
-  }
-  const FoundSides sides(faces);
-  const std::vector<ExportBlock> blocks = CutBlocks(mesh, sides);
+  const std::vector<MeshBlock> blocks = CutBlocks(mesh, faces);
   if (blocks.empty())
   {
     return "";
@@ -276,7 +244,7 @@ std::string WriteBlockMesh(const ExportMesh& mesh, const MeshFaces& faces)
   dict.AddVertices();
   dict.AddBlocks();
   dict.AddEdges();
-  dict.AddPatches(sides);
+  dict.AddPatches(faces);
   return dict.Take();
 }
 }

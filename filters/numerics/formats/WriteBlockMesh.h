@@ -1,7 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
-#include "SideFaces.h"
+#include "MeshFaces.h"
 
 #include <string>
 
@@ -18,5 +17,5 @@ constexpr const char* BlockMeshNote =
 /// Along an edge of a block, cells grow geometrically from the first to the last one of the mesh; edges that
 /// are not straight are polylines through its nodes. Inside, blockMesh interpolates between the edges of a
 /// block. So it makes as many cells, but not the same nodes.
-std::string WriteBlockMesh(const ExportMesh& mesh, const MeshFaces& faces);
+std::string WriteBlockMesh(const SolverMesh& mesh, const MeshFaces& faces);
 }

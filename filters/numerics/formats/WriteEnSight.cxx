@@ -1,9 +1,7 @@
 #include "WriteEnSight.h"
 
-#include "CellLattice.h"
+#include "ElementNodes.h"
 #include "FormatNames.h"
-#include "Index.h"
-#include "SideFaces.h"
 
 #include <cstdint>
 #include <cstring>
@@ -17,7 +15,7 @@ constexpr std::size_t LineLength = 80;
 class Geometry
 {
 public:
-  explicit Geometry(const ExportMesh& mesh)
+  explicit Geometry(const SolverMesh& mesh)
     : Mesh(mesh)
     , Number(mesh.points.size(), 0)
   {
@@ -28,13 +26,16 @@ public:
   }
 
   /// Adds a part of elements of one type, given by their points.
-  void AddPart(const std::string& name, const std::string& type, const std::vector<int>& points,
-    std::size_t nodesOfElement)
+  void AddPart(
+    const std::string& name, const std::string& type, const std::vector<std::vector<int>>& elements)
   {
     std::vector<int> used; // in the order of points
-    for (const int point : points)
+    for (const std::vector<int>& points : elements)
     {
-      this->Number[Index(point)] = 1;
+      for (const int point : points)
+      {
+        this->Number[Index(point)] = 1;
+      }
     }
     for (std::size_t point = 0; point < this->Number.size(); ++point)
     {
@@ -57,10 +58,13 @@ public:
       }
     }
     this->AddLine(type);
-    this->AddInteger(static_cast<int>(points.size() / nodesOfElement));
-    for (const int point : points)
+    this->AddInteger(static_cast<int>(elements.size()));
+    for (const std::vector<int>& points : elements)
     {
-      this->AddInteger(this->Number[Index(point)]);
+      for (const int point : points)
+      {
+        this->AddInteger(this->Number[Index(point)]);
+      }
     }
     for (const int point : used)
     {
@@ -94,7 +98,7 @@ private:
     this->AddBits(bits);
   }
 
-  const ExportMesh& Mesh;
+  const SolverMesh& Mesh;
   std::vector<int> Number; ///< Per point, its number in the part that is written, otherwise 0.
   std::string Bytes;
   int Parts = 0;
@@ -106,11 +110,10 @@ std::string WriteEnSightCase(const std::string& geometry)
   return "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: " + geometry + "\n";
 }
 
-std::string WriteEnSightGeometry(const ExportMesh& mesh)
+std::string WriteEnSightGeometry(const SolverMesh& mesh)
 {
-  const SideFaces faces = FindSideFaces(mesh);
-  const CellLattice lattice(mesh.dimension, mesh.order);
-  const bool isFlat = mesh.dimension == 2;
+  const MeshFaces faces(mesh);
+  const ElementNodes nodes(mesh, NodeOrder::EnSight);
   std::vector<std::string> names = mesh.regionNames;
   names.insert(names.end(), mesh.sideNames.begin(), mesh.sideNames.end());
   NameRule rule;
@@ -118,40 +121,24 @@ std::string WriteEnSightGeometry(const ExportMesh& mesh)
   rule.longest = LineLength - 1;
   names = FormatNames(names, rule);
   Geometry geometry(mesh);
-  const std::vector<int> positions = lattice.AbaqusOrder();
-  const std::string count = std::to_string(positions.size());
-  for (std::size_t region = 0; region < mesh.regionNames.size(); ++region)
+  std::vector<std::vector<std::vector<int>>> parts(names.size()); // elements
+  for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    std::vector<int> points;
-    for (int cell = 0; cell < mesh.CellCount(); ++cell)
-    {
-      for (const int position : positions)
-      {
-        if (mesh.region[Index(cell)] == static_cast<int>(region))
-        {
-          points.push_back(mesh.Cell(cell)[position]);
-        }
-      }
-    }
-    geometry.AddPart(names[region], (isFlat ? "quad" : "hexa") + count, points, positions.size());
+    parts[Index(mesh.region[Index(cell)])].push_back(nodes.OfCell(cell));
   }
-  // The nodes of a line are in order; those of a quad are corners, then the middles of edges.
-  const std::vector<int> ofFace = isFlat
-    ? (mesh.order == 1 ? std::vector<int>{ 0, 1 } : std::vector<int>{ 0, 1, 2 })
-    : CellLattice(2, mesh.order).AbaqusOrder();
-  for (std::size_t side = 0; side < mesh.sideNames.size(); ++side)
+  for (int face = 0; face < mesh.FaceCount(); ++face)
   {
-    std::vector<int> points;
-    for (const SideFace& face : faces.ofSide[side])
-    {
-      const std::vector<int> places = lattice.Face(face.face);
-      for (const int node : ofFace)
-      {
-        points.push_back(mesh.Cell(face.cell)[places[Index(node)]]);
-      }
-    }
-    geometry.AddPart(names[mesh.regionNames.size() + side],
-      (isFlat ? "bar" : "quad") + std::to_string(ofFace.size()), points, ofFace.size());
+    parts[mesh.regionNames.size() + Index(mesh.side[Index(face)])].push_back(
+      nodes.OfFace(faces.BoundaryFaces()[Index(face)]));
+  }
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    const bool isRegion = part < mesh.regionNames.size();
+    const int dimension = isRegion ? mesh.dimension : mesh.dimension - 1;
+    const std::size_t count =
+      CellLattice(dimension, mesh.order).OrderFor(NodeOrder::EnSight).size();
+    const char* type = dimension == 1 ? "bar" : dimension == 2 ? "quad" : "hexa";
+    geometry.AddPart(names[part], type + std::to_string(count), parts[part]);
   }
   return geometry.Take();
 }

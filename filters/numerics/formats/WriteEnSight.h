@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 
 #include <string>
 
@@ -13,6 +13,6 @@ std::string WriteEnSightCase(const std::string& geometry);
 /// for each side, by name. The format has coordinates in single precision.
 ///
 /// Elements are quad4, quad8, hexa8 or hexa20, those of sides bar2, bar3, quad4 or quad8. `mesh` is oriented
-/// (OrientCells) and of order 1 or 2. Throws Error as FindSideFaces does.
-std::string WriteEnSightGeometry(const ExportMesh& mesh);
+/// (OrientCells) and of order 1 or 2. Throws Error as MeshFaces does.
+std::string WriteEnSightGeometry(const SolverMesh& mesh);
 }

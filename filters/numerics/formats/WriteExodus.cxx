@@ -1,13 +1,9 @@
 #include "WriteExodus.h"
 
-#include "CellLattice.h"
 #include "FormatNames.h"
-#include "Index.h"
 #include "MeshNumbering.h"
 #include "NetCdf.h"
-#include "SideFaces.h"
 
-#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -18,43 +14,23 @@ namespace
 constexpr int NameLength = 32;
 constexpr double Version = 5.1; // of the format, which has names of blocks and sets
 
-/// How the elements of a mesh are called and numbered.
+/// How the elements of a mesh are called and their faces numbered.
 struct ElementKind
 {
   std::string type;
-  std::vector<int> positions; ///< Of the nodes in the lattice of a cell.
-  std::vector<int> faces;     ///< Per face of CellLattice, its number in the format.
+  std::vector<int> faces; ///< Per face of CellLattice, its number in the format.
 };
 
-ElementKind KindOf(const ExportMesh& mesh, bool isPlane)
+ElementKind KindOf(const SolverMesh& mesh, bool isPlane)
 {
-  ElementKind kind;
-  kind.positions = CellLattice(mesh.dimension, mesh.order).AbaqusOrder();
-  if (mesh.dimension == 2)
+  const std::string nodes = std::to_string(mesh.NodesOfCell());
+  if (mesh.dimension == 3)
   {
-    kind.type = isPlane ? "QUAD" : "SHELL";
-    // Sides 1 and 2 of a shell are its faces.
-    kind.faces = isPlane ? std::vector<int>{ 1, 2, 3, 4 } : std::vector<int>{ 3, 4, 5, 6 };
-    if (mesh.order == 2)
-    {
-      kind.positions.push_back(4); // the middle of the 3 × 3 nodes
-    }
+    return { "HEX" + nodes, { 5, 6, 1, 2, 3, 4 } };
   }
-  else
-  {
-    kind.type = "HEX";
-    kind.faces = { 5, 6, 1, 2, 3, 4 };
-    if (mesh.order == 2)
-    {
-      // The middles of upright edges come before those of the top, in contrast to Abaqus.
-      std::rotate(
-        kind.positions.begin() + 12, kind.positions.begin() + 16, kind.positions.begin() + 20);
-      // The middle, then those of the faces with least and largest third, first and second index.
-      kind.positions.insert(kind.positions.end(), { 13, 4, 22, 12, 14, 10, 16 });
-    }
-  }
-  kind.type += std::to_string(kind.positions.size());
-  return kind;
+  // Sides 1 and 2 of a shell are its faces.
+  return isPlane ? ElementKind{ "QUAD" + nodes, { 1, 2, 3, 4 } }
+                 : ElementKind{ "SHELL" + nodes, { 3, 4, 5, 6 } };
 }
 
 void AddHeader(NetCdf& file)
@@ -97,7 +73,7 @@ void AddGroups(const std::string& prefix, const std::string& dimensionName, int 
 
 /// Adds the elements of all blocks and returns the number of each cell.
 std::vector<int> AddBlocks(
-  const ExportMesh& mesh, const ElementKind& kind, const MeshNumbering& numbering, NetCdf& file)
+  const SolverMesh& mesh, const ElementKind& kind, const MeshNumbering& numbering, NetCdf& file)
 {
   std::vector<int> element(mesh.region.size());
   int next = 1;
@@ -111,18 +87,15 @@ std::vector<int> AddBlocks(
       {
         continue;
       }
-      for (const int position : kind.positions)
-      {
-        nodes.push_back(numbering.number[Index(mesh.Cell(cell)[position])]);
-      }
+      const std::vector<int> ofCell = numbering.OfCell(cell);
+      nodes.insert(nodes.end(), ofCell.begin(), ofCell.end());
       element[Index(cell)] = next++;
     }
     if (next > first)
     {
       const std::string number = std::to_string(region + 1);
       const int inBlock = file.AddDimension("num_el_in_blk" + number, next - first);
-      const int inElement =
-        file.AddDimension("num_nod_per_el" + number, static_cast<int>(kind.positions.size()));
+      const int inElement = file.AddDimension("num_nod_per_el" + number, mesh.NodesOfCell());
       file.AddIntegers("connect" + number, { inBlock, inElement }, nodes,
         { { "elem_type", NetCdf::Attribute::Text, kind.type, 0.0 } });
     }
@@ -130,19 +103,19 @@ std::vector<int> AddBlocks(
   return element;
 }
 
-void AddSets(
-  const SideFaces& faces, const ElementKind& kind, const std::vector<int>& element, NetCdf& file)
+void AddSets(const std::vector<std::vector<CellFace>>& sets, const ElementKind& kind,
+  const std::vector<int>& element, NetCdf& file)
 {
-  for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
+  for (std::size_t side = 0; side < sets.size(); ++side)
   {
-    if (faces.ofSide[side].empty())
+    if (sets[side].empty())
     {
       continue;
     }
     const std::string number = std::to_string(side + 1);
     std::vector<int> elements;
     std::vector<int> sides;
-    for (const SideFace& face : faces.ofSide[side])
+    for (const CellFace& face : sets[side])
     {
       elements.push_back(element[Index(face.cell)]);
       sides.push_back(kind.faces[Index(face.face)]);
@@ -154,21 +127,21 @@ void AddSets(
 }
 }
 
-std::string WriteExodus(const ExportMesh& mesh)
+std::string WriteExodus(const SolverMesh& mesh)
 {
-  const SideFaces faces = FindSideFaces(mesh);
-  RequireNoInnerSides(mesh, faces, ".ex2");
+  const MeshFaces faces(mesh);
+  faces.RequireNoInnerSides(".ex2");
   const bool isPlane = mesh.dimension == 2 && mesh.HasConstantHeight();
   const int dimension = isPlane ? 2 : 3;
   const ElementKind kind = KindOf(mesh, isPlane);
-  const MeshNumbering numbering = NumberNodes(mesh, kind.positions, 1);
+  const MeshNumbering numbering(mesh, NodeOrder::Exodus, 1);
   NetCdf file;
   AddHeader(file);
   const int nameLength = file.AddDimension("len_name", NameLength + 1);
   file.AddDimension("len_string", NameLength + 1);
   const int time = file.AddDimension("time_step", 0);
   const int axes = file.AddDimension("num_dim", dimension);
-  const int nodes = file.AddDimension("num_nodes", static_cast<int>(numbering.point.size()));
+  const int nodes = file.AddDimension("num_nodes", static_cast<int>(numbering.Points().size()));
   file.AddDimension("num_elem", mesh.CellCount());
   file.AddNumbers("time_whole", { time }, {});
   std::vector<int> sizes(mesh.regionNames.size(), 0);
@@ -178,7 +151,7 @@ std::string WriteExodus(const ExportMesh& mesh)
   }
   AddGroups("eb", "num_el_blk", nameLength, mesh.regionNames, sizes, file);
   sizes.clear();
-  for (const std::vector<SideFace>& side : faces.ofSide)
+  for (const std::vector<CellFace>& side : faces.OfSides())
   {
     sizes.push_back(static_cast<int>(side.size()));
   }
@@ -189,14 +162,14 @@ std::string WriteExodus(const ExportMesh& mesh)
   for (int axis = 0; axis < dimension; ++axis)
   {
     std::vector<double> values;
-    values.reserve(numbering.point.size());
-    for (const int point : numbering.point)
+    values.reserve(numbering.Points().size());
+    for (const int point : numbering.Points())
     {
       values.push_back(mesh.points[Index(point)][axis]);
     }
     file.AddNumbers("coord" + axisNames[Index(axis)], { nodes }, values);
   }
-  AddSets(faces, kind, AddBlocks(mesh, kind, numbering, file), file);
+  AddSets(faces.OfSides(), kind, AddBlocks(mesh, kind, numbering, file), file);
   return file.Bytes();
 }
 }

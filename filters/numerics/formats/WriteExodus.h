@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 
 #include <string>
 
@@ -12,6 +12,6 @@ namespace crossfield
 /// Elements are QUAD4, QUAD9, HEX8 or HEX27; quads in space are SHELL4 or SHELL9. Prisms are HEX8 in which
 /// nodes occur twice. Nodes count from 1 in the order of the points that cells use, elements block by block.
 ///
-/// `mesh` is oriented (OrientCells) and of order 1 or 2. Throws Error if a side is inside, and as FindSideFaces does.
-std::string WriteExodus(const ExportMesh& mesh);
+/// `mesh` is oriented (OrientCells) and of order 1 or 2. Throws Error if a side is inside, and as MeshFaces does.
+std::string WriteExodus(const SolverMesh& mesh);
 }

@@ -17,7 +17,7 @@ namespace
 {
 const char* const MeshFolder = "constant/polyMesh";
 
-std::string WritePoints(const ExportMesh& mesh, const FoamMesh& foam)
+std::string WritePoints(const SolverMesh& mesh, const FoamMesh& foam)
 {
   constexpr std::size_t BytesOfPoint = 48;
   MeshText text;
@@ -114,7 +114,7 @@ std::string WriteZones(const std::vector<FoamZone>& zones, const std::string& ki
 }
 
 /// Throws Error if the faces of the layer are not normal to a coordinate axis.
-void RequireAxis(const ExportMesh& mesh)
+void RequireAxis(const SolverMesh& mesh)
 {
   if (mesh.sweep.layers != 1 || mesh.sweep.isRotation)
   {
@@ -131,7 +131,7 @@ void RequireAxis(const ExportMesh& mesh)
   }
 }
 
-std::vector<std::pair<std::string, std::string>> WriteSolid(const ExportMesh& mesh)
+std::vector<std::pair<std::string, std::string>> WriteSolid(const SolverMesh& mesh)
 {
   RequireAxis(mesh);
   const std::string folder = std::string(MeshFolder) + "/";
@@ -168,7 +168,7 @@ std::string FoamFolder(const std::string& name)
   return slash == std::string::npos ? "" : name.substr(0, slash + 1);
 }
 
-double FoamThickness(const ExportMesh& quads)
+double FoamThickness(const SolverMesh& quads)
 {
   Eigen::AlignedBox3d box;
   for (const int node : quads.cells)
@@ -180,7 +180,7 @@ double FoamThickness(const ExportMesh& quads)
   return std::pow(10.0, std::floor(std::log10(Part * box.diagonal().norm())));
 }
 
-std::vector<std::pair<std::string, std::string>> WriteFoam(const ExportMesh& mesh)
+std::vector<std::pair<std::string, std::string>> WriteFoam(const SolverMesh& mesh)
 {
   if (mesh.dimension == 3)
   {
@@ -188,6 +188,6 @@ std::vector<std::pair<std::string, std::string>> WriteFoam(const ExportMesh& mes
   }
   Sweep sweep;
   sweep.height = FoamThickness(mesh);
-  return WriteSolid(SweepQuads(mesh, sweep).mesh);
+  return WriteSolid(SweepQuads(mesh, sweep));
 }
 }

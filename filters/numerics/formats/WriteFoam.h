@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 
 #include <string>
 #include <utility>
@@ -14,7 +14,7 @@ std::string FoamFolder(const std::string& name);
 
 /// Returns the thickness of quads that are written as one layer: the largest power of ten that is at most a tenth
 /// of the domain's diagonal.
-double FoamThickness(const ExportMesh& quads);
+double FoamThickness(const SolverMesh& quads);
 
 /// Returns the files of an OpenFOAM case, with names relative to its folder, and their texts:
 /// points, faces, owner, neighbour and boundary in constant/polyMesh, the zones (cellZones, faceZones, and
@@ -24,5 +24,5 @@ double FoamThickness(const ExportMesh& quads);
 /// `mesh` is oriented (OrientCells) and of order 1. Quads become one layer of FoamThickness. Throws Error if
 /// one layer of a translation is not normal to a coordinate axis, as `empty` patches must be, and as SweepQuads and
 /// MakeFoamMesh do.
-std::vector<std::pair<std::string, std::string>> WriteFoam(const ExportMesh& mesh);
+std::vector<std::pair<std::string, std::string>> WriteFoam(const SolverMesh& mesh);
 }

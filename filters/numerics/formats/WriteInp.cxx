@@ -1,12 +1,9 @@
 #include "WriteInp.h"
 
-#include "CellLattice.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "Index.h"
 #include "MeshNumbering.h"
 #include "MeshText.h"
-#include "SideFaces.h"
 
 #include <algorithm>
 #include <array>
@@ -27,12 +24,12 @@ void AddList(const std::vector<int>& numbers, MeshText& text)
   }
 }
 
-void AddNodes(const ExportMesh& mesh, const MeshNumbering& numbering, MeshText& text)
+void AddNodes(const SolverMesh& mesh, const MeshNumbering& numbering, MeshText& text)
 {
   text.Add("*NODE, NSET=NALL\n");
-  for (std::size_t i = 0; i < numbering.point.size(); ++i)
+  for (std::size_t i = 0; i < numbering.Points().size(); ++i)
   {
-    const Eigen::Vector3d& place = mesh.points[Index(numbering.point[i])];
+    const Eigen::Vector3d& place = mesh.points[Index(numbering.Points()[i])];
     text.Add(static_cast<int>(i) + 1);
     for (const double coordinate : { place.x(), place.y(), place.z() })
     {
@@ -42,57 +39,40 @@ void AddNodes(const ExportMesh& mesh, const MeshNumbering& numbering, MeshText& 
   }
 }
 
-/// Adds the elements of a region that are prisms, or those that are not.
-void AddElements(const ExportMesh& mesh, const MeshNumbering& numbering,
-  const std::vector<int>& positions, int region, bool arePrisms, const std::string& heading,
-  MeshText& text)
+/// Adds the elements of the regions, first those that are not prisms.
+void AddRegions(const SolverMesh& mesh, const MeshNumbering& numbering,
+  const std::vector<std::string>& names, MeshText& text)
 {
-  bool isFirst = true;
   std::vector<int> entries;
-  for (int cell = 0; cell < mesh.CellCount(); ++cell)
+  for (int group = 0; group < 2 * static_cast<int>(names.size()); ++group)
   {
-    const int collapsed = mesh.CollapsedEdge(cell);
-    if (mesh.region[Index(cell)] != region || (collapsed >= 0) != arePrisms)
+    bool isFirst = true;
+    for (int cell = 0; cell < mesh.CellCount(); ++cell)
     {
-      continue;
-    }
-    entries = { cell + 1 };
-    const auto add = [&](int point) { entries.push_back(numbering.number[Index(point)]); };
-    if (arePrisms)
-    {
-      for (const int point : mesh.Prism(cell, collapsed))
+      if (mesh.region[Index(cell)] != group / 2 ||
+        (mesh.CollapsedEdge(cell) >= 0) != (group % 2 == 1))
       {
-        add(point);
+        continue;
       }
-    }
-    else
-    {
-      for (const int position : positions)
+      const std::vector<int> nodes = numbering.OfCell(cell);
+      if (isFirst)
       {
-        add(mesh.Cell(cell)[position]);
+        text.Add(mesh.dimension == 2 ? "*ELEMENT, TYPE=CPS" : "*ELEMENT, TYPE=C3D");
+        text.Add(static_cast<int>(nodes.size()))
+          .Add(", ELSET=")
+          .Add(names[Index(group / 2)])
+          .Add('\n');
       }
+      isFirst = false;
+      entries = { cell + 1 };
+      entries.insert(entries.end(), nodes.begin(), nodes.end());
+      AddList(entries, text);
     }
-    text.Add(isFirst ? heading : "");
-    isFirst = false;
-    AddList(entries, text);
-  }
-}
-
-void AddRegions(const ExportMesh& mesh, const MeshNumbering& numbering,
-  const std::vector<int>& positions, const std::vector<std::string>& names, MeshText& text)
-{
-  const std::string type = (mesh.dimension == 2 ? "CPS" : "C3D") + std::to_string(positions.size());
-  for (std::size_t region = 0; region < names.size(); ++region)
-  {
-    const auto number = static_cast<int>(region);
-    const std::string end = ", ELSET=" + names[region] + "\n";
-    AddElements(mesh, numbering, positions, number, false, "*ELEMENT, TYPE=" + type + end, text);
-    AddElements(mesh, numbering, positions, number, true, "*ELEMENT, TYPE=C3D6" + end, text);
   }
 }
 
 /// Returns the number of a face in an element, from 1.
-int FaceNumber(const ExportMesh& mesh, const SideFace& face)
+int FaceNumber(const SolverMesh& mesh, const CellFace& face)
 {
   const int collapsed = mesh.CollapsedEdge(face.cell);
   if (collapsed < 0)
@@ -104,18 +84,15 @@ int FaceNumber(const ExportMesh& mesh, const SideFace& face)
   return NumbersOfPrism[Index(face.face < 2 ? face.face : 2 + (face.face + 2 - collapsed) % 4)];
 }
 
-void AddSide(const ExportMesh& mesh, const MeshNumbering& numbering,
-  const std::vector<SideFace>& faces, const std::string& name, MeshText& text)
+void AddSide(const SolverMesh& mesh, const MeshNumbering& numbering,
+  const std::vector<CellFace>& faces, const std::string& name, MeshText& text)
 {
-  const CellLattice lattice(mesh.dimension, mesh.order);
   std::vector<int> nodes;
   std::vector<int> elements;
-  for (const SideFace& face : faces)
+  for (const CellFace& face : faces)
   {
-    for (const int position : lattice.Face(face.face))
-    {
-      nodes.push_back(numbering.number[Index(mesh.Cell(face.cell)[position])]);
-    }
+    const std::vector<int> ofFace = numbering.OfFace(face);
+    nodes.insert(nodes.end(), ofFace.begin(), ofFace.end());
     elements.push_back(face.cell + 1);
   }
   for (std::vector<int>* numbers : { &nodes, &elements })
@@ -123,16 +100,12 @@ void AddSide(const ExportMesh& mesh, const MeshNumbering& numbering,
     std::sort(numbers->begin(), numbers->end());
     numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
   }
-  if (!nodes.empty() && nodes.front() < 0)
-  {
-    nodes.erase(nodes.begin()); // the node inside a face, which the file does not have
-  }
   text.Add("*NSET, NSET=").Add(name).Add('\n');
   AddList(nodes, text);
   text.Add("*ELSET, ELSET=").Add(name).Add('\n');
   AddList(elements, text);
   text.Add("*SURFACE, NAME=").Add(name).Add(", TYPE=ELEMENT\n");
-  for (const SideFace& face : faces)
+  for (const CellFace& face : faces)
   {
     text.Add(face.cell + 1).Add(", S").Add(FaceNumber(mesh, face)).Add('\n');
   }
@@ -156,7 +129,7 @@ void AddChangedNames(
 }
 }
 
-std::string WriteInp(const ExportMesh& mesh)
+std::string WriteInp(const SolverMesh& mesh)
 {
   if (mesh.dimension == 2 && !mesh.HasConstantHeight())
   {
@@ -172,19 +145,19 @@ std::string WriteInp(const ExportMesh& mesh)
   names.insert(names.end(), mesh.sideNames.begin(), mesh.sideNames.end());
   const std::vector<std::string> changed = FormatNames(names, rule, { "NALL" });
   const auto regions = static_cast<std::ptrdiff_t>(mesh.regionNames.size());
-  const std::vector<int> positions = CellLattice(mesh.dimension, mesh.order).AbaqusOrder();
-  const MeshNumbering numbering = NumberNodes(mesh, positions, 1);
-  const SideFaces faces = FindSideFaces(mesh);
+  const MeshNumbering numbering(mesh, NodeOrder::Abaqus, 1);
+  const MeshFaces faces(mesh);
   MeshText text;
   text.Add("** Mesh; for plane strain, replace CPS by CPE, for axial symmetry by CAX\n");
   AddChangedNames(names, changed, text);
   AddNodes(mesh, numbering, text);
-  AddRegions(mesh, numbering, positions, { changed.begin(), changed.begin() + regions }, text);
-  for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
+  AddRegions(mesh, numbering, { changed.begin(), changed.begin() + regions }, text);
+  for (int side = 0; side < static_cast<int>(mesh.sideNames.size()); ++side)
   {
-    if (!faces.ofSide[side].empty())
+    if (!faces.OfSide(side).empty())
     {
-      AddSide(mesh, numbering, faces.ofSide[side], changed[mesh.regionNames.size() + side], text);
+      AddSide(
+        mesh, numbering, faces.OfSide(side), changed[mesh.regionNames.size() + Index(side)], text);
     }
   }
   return text.Take();

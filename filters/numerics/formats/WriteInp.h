@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 
 #include <string>
 
@@ -15,6 +15,6 @@ namespace crossfield
 /// characters; a comment at the top lists names that were changed.
 ///
 /// `mesh` is oriented (OrientCells) and of order 1 or 2. Throws Error if z is not constant in two dimensions,
-/// and as FindSideFaces does.
-std::string WriteInp(const ExportMesh& mesh);
+/// and as MeshFaces does.
+std::string WriteInp(const SolverMesh& mesh);
 }

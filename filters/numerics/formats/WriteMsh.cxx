@@ -1,15 +1,13 @@
 #include "WriteMsh.h"
 
-#include "CellLattice.h"
 #include "FormatNames.h"
-#include "Index.h"
 #include "MeshNumbering.h"
 #include "MeshText.h"
-#include "PeriodicNodes.h"
-#include "SideFaces.h"
+#include "SidePairs.h"
 
 #include <array>
 #include <limits>
+#include <map>
 
 namespace crossfield
 {
@@ -63,39 +61,18 @@ struct Entity
   }
 };
 
-std::vector<Entity> SidesOf(
-  const ExportMesh& mesh, const MeshNumbering& numbering, const std::vector<std::string>& names)
+std::vector<Entity> SidesOf(const SolverMesh& mesh, const MeshFaces& faces,
+  const MeshNumbering& numbering, const std::vector<std::string>& names)
 {
-  const SideFaces faces = FindSideFaces(mesh);
-  const CellLattice lattice(mesh.dimension, mesh.order);
-  const std::vector<int> order = CellLattice(mesh.dimension - 1, mesh.order).GmshOrder();
-  std::vector<std::vector<int>> positions; // per face of a cell
-  for (int face = 0; face < lattice.FaceCount(); ++face)
-  {
-    const std::vector<int> all = lattice.Face(face);
-    positions.emplace_back();
-    for (const int position : order)
-    {
-      positions.back().push_back(all[Index(position)]);
-    }
-  }
   std::vector<Entity> sides;
-  for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
+  for (int side = 0; side < static_cast<int>(names.size()); ++side)
   {
     Entity entity;
     entity.dimension = mesh.dimension - 1;
-    entity.name = names[side];
-    for (const SideFace& face : faces.ofSide[side])
+    entity.name = names[Index(side)];
+    for (const CellFace& face : faces.OfSide(side))
     {
-      std::vector<int> nodes;
-      for (const int position : positions[Index(face.face)])
-      {
-        nodes.push_back(numbering.number[Index(mesh.Cell(face.cell)[position])]);
-      }
-      if (mesh.dimension == 3)
-      {
-        RemoveRepeated(nodes);
-      }
+      const std::vector<int> nodes = numbering.OfFace(face);
       const bool isTriangle = mesh.dimension == 3 && nodes.size() == 3;
       std::vector<int>& all =
         entity.Of(isTriangle ? GmshTriangle : TypeOf(entity.dimension, mesh.order), nodes.size());
@@ -106,10 +83,10 @@ std::vector<Entity> SidesOf(
   return sides;
 }
 
-std::vector<Entity> RegionsOf(const ExportMesh& mesh, const MeshNumbering& numbering,
-  const std::vector<int>& positions, const std::vector<std::string>& names)
+std::vector<Entity> RegionsOf(
+  const SolverMesh& mesh, const MeshNumbering& numbering, const std::vector<std::string>& names)
 {
-  std::vector<Entity> regions(mesh.regionNames.size());
+  std::vector<Entity> regions(names.size());
   for (std::size_t i = 0; i < regions.size(); ++i)
   {
     regions[i].dimension = mesh.dimension;
@@ -117,30 +94,18 @@ std::vector<Entity> RegionsOf(const ExportMesh& mesh, const MeshNumbering& numbe
   }
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    Entity& region = regions[Index(mesh.region[Index(cell)])];
-    const int collapsed = mesh.CollapsedEdge(cell);
-    if (collapsed >= 0)
-    {
-      std::vector<int>& nodes = region.Of(GmshPrism, 6);
-      for (const int point : mesh.Prism(cell, collapsed))
-      {
-        nodes.push_back(numbering.number[Index(point)]);
-      }
-      continue;
-    }
-    std::vector<int>& nodes = region.Of(TypeOf(mesh.dimension, mesh.order), positions.size());
-    for (const int position : positions)
-    {
-      nodes.push_back(numbering.number[Index(mesh.Cell(cell)[position])]);
-    }
+    const std::vector<int> nodes = numbering.OfCell(cell);
+    const int type = nodes.size() == 6 ? GmshPrism : TypeOf(mesh.dimension, mesh.order);
+    std::vector<int>& all = regions[Index(mesh.region[Index(cell)])].Of(type, nodes.size());
+    all.insert(all.end(), nodes.begin(), nodes.end());
   }
   return regions;
 }
 
 /// Sets the tags of entities and gives each node to the first one that has it.
-void Complete(const ExportMesh& mesh, const MeshNumbering& numbering, std::vector<Entity>& entities)
+void Complete(const SolverMesh& mesh, const MeshNumbering& numbering, std::vector<Entity>& entities)
 {
-  std::vector<bool> isTaken(numbering.point.size(), false);
+  std::vector<bool> isTaken(numbering.Points().size(), false);
   int tag = 0;
   for (Entity& entity : entities)
   {
@@ -152,7 +117,7 @@ void Complete(const ExportMesh& mesh, const MeshNumbering& numbering, std::vecto
     {
       for (const int node : ofType.nodes)
       {
-        const Eigen::Vector3d& place = mesh.points[Index(numbering.point[Index(node - 1)])];
+        const Eigen::Vector3d& place = mesh.points[Index(numbering.Points()[Index(node - 1)])];
         entity.low = entity.low.cwiseMin(place).eval();
         entity.high = entity.high.cwiseMax(place).eval();
         if (!isTaken[Index(node - 1)])
@@ -163,11 +128,6 @@ void Complete(const ExportMesh& mesh, const MeshNumbering& numbering, std::vecto
       }
     }
   }
-}
-
-void AddPlace(const Eigen::Vector3d& place, MeshText& text)
-{
-  text.Add(place.x()).Add(' ').Add(place.y()).Add(' ').Add(place.z());
 }
 
 void AddNames(const std::vector<Entity>& entities, MeshText& text)
@@ -203,7 +163,7 @@ void AddElements(const Elements& elements, const std::string& prefix, int& numbe
   }
 }
 
-void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
+void AddVersion41(const SolverMesh& mesh, const MeshNumbering& numbering,
   const std::vector<Entity>& entities, int elements, MeshText& text)
 {
   std::array<int, 4> counts{}; // per dimension
@@ -221,13 +181,13 @@ void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
   for (const Entity& entity : entities)
   {
     text.Add(entity.tag).Add(' ');
-    AddPlace(entity.low, text);
+    text.Add(entity.low);
     text.Add(' ');
-    AddPlace(entity.high, text);
+    text.Add(entity.high);
     text.Add(" 1 ").Add(entity.tag).Add(" 0\n"); // one physical group, no entities around it
   }
   text.Add("$EndEntities\n$Nodes\n");
-  AddBlocks(entities.size(), static_cast<int>(numbering.point.size()), text);
+  AddBlocks(entities.size(), static_cast<int>(numbering.Points().size()), text);
   for (const Entity& entity : entities)
   {
     text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(" 0 ");
@@ -238,7 +198,7 @@ void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
     }
     for (const int node : entity.nodes)
     {
-      AddPlace(mesh.points[Index(numbering.point[Index(node - 1)])], text);
+      text.Add(mesh.points[Index(numbering.Points()[Index(node - 1)])]);
       text.Add('\n');
     }
   }
@@ -262,14 +222,14 @@ void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
   text.Add("$EndElements\n");
 }
 
-void AddVersion22(const ExportMesh& mesh, const MeshNumbering& numbering,
+void AddVersion22(const SolverMesh& mesh, const MeshNumbering& numbering,
   const std::vector<Entity>& entities, int elements, MeshText& text)
 {
-  text.Add("$Nodes\n").Add(static_cast<int>(numbering.point.size())).Add('\n');
-  for (std::size_t i = 0; i < numbering.point.size(); ++i)
+  text.Add("$Nodes\n").Add(static_cast<int>(numbering.Points().size())).Add('\n');
+  for (std::size_t i = 0; i < numbering.Points().size(); ++i)
   {
     text.Add(static_cast<int>(i) + 1).Add(' ');
-    AddPlace(mesh.points[Index(numbering.point[i])], text);
+    text.Add(mesh.points[Index(numbering.Points()[i])]);
     text.Add('\n');
   }
   text.Add("$EndNodes\n$Elements\n").Add(elements).Add('\n');
@@ -286,15 +246,15 @@ void AddVersion22(const ExportMesh& mesh, const MeshNumbering& numbering,
 }
 
 /// Adds the pairs of periodic sides; the second side is the image of the first, Gmsh's master.
-void AddPeriodic(
-  const ExportMesh& mesh, const MeshNumbering& numbering, MshVersion version, MeshText& text)
+void AddPeriodic(const SolverMesh& mesh, const MeshFaces& faces, const MeshNumbering& numbering,
+  MshVersion version, MeshText& text)
 {
-  if (mesh.periodic.empty())
+  if (mesh.pairs.empty())
   {
     return;
   }
-  text.Add("$Periodic\n").Add(static_cast<int>(mesh.periodic.size())).Add('\n');
-  for (const PeriodicPair& pair : mesh.periodic)
+  text.Add("$Periodic\n").Add(static_cast<int>(mesh.pairs.size())).Add('\n');
+  for (const SidePair& pair : mesh.pairs)
   {
     text.Add(mesh.dimension - 1).Add(' ').Add(pair.second + 1); // tags of sides count from 1
     text.Add(' ').Add(pair.first + 1).Add(version == MshVersion::V41 ? "\n16" : "\nAffine");
@@ -302,27 +262,27 @@ void AddPeriodic(
     {
       text.Add(' ').Add(pair.motion(i / 4, i % 4));
     }
-    const std::vector<std::array<int, 2>> nodes = PeriodicNodes(mesh, pair);
+    const std::map<int, int> nodes = MatchPair(mesh, faces, pair).nodes;
     text.Add('\n').Add(static_cast<int>(nodes.size())).Add('\n');
     for (const auto& [first, second] : nodes)
     {
-      text.Add(numbering.number[Index(second)]).Add(' ');
-      text.Add(numbering.number[Index(first)]).Add('\n');
+      text.Add(numbering.NumberOf(second)).Add(' ');
+      text.Add(numbering.NumberOf(first)).Add('\n');
     }
   }
   text.Add("$EndPeriodic\n");
 }
 }
 
-std::string WriteMsh(const ExportMesh& mesh, MshVersion version)
+std::string WriteMsh(const SolverMesh& mesh, MshVersion version)
 {
   NameRule rule;
   rule.isPlain = false;
   rule.longest = 127; // Gmsh's own limit
-  const std::vector<int> positions = CellLattice(mesh.dimension, mesh.order).GmshOrder();
-  const MeshNumbering numbering = NumberNodes(mesh, positions, 1);
-  std::vector<Entity> entities = SidesOf(mesh, numbering, FormatNames(mesh.sideNames, rule));
-  for (Entity& region : RegionsOf(mesh, numbering, positions, FormatNames(mesh.regionNames, rule)))
+  const MeshNumbering numbering(mesh, NodeOrder::Gmsh, 1);
+  const MeshFaces faces(mesh);
+  std::vector<Entity> entities = SidesOf(mesh, faces, numbering, FormatNames(mesh.sideNames, rule));
+  for (Entity& region : RegionsOf(mesh, numbering, FormatNames(mesh.regionNames, rule)))
   {
     entities.push_back(std::move(region));
   }
@@ -334,7 +294,7 @@ std::string WriteMsh(const ExportMesh& mesh, MshVersion version)
   const int elements = mesh.CellCount() + mesh.FaceCount();
   (version == MshVersion::V41 ? AddVersion41 : AddVersion22)(
     mesh, numbering, entities, elements, text);
-  AddPeriodic(mesh, numbering, version, text);
+  AddPeriodic(mesh, faces, numbering, version, text);
   return text.Take();
 }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 
 #include <string>
 
@@ -18,6 +18,6 @@ enum class MshVersion
 /// first, and are those of the entities as well. Coordinates are exact. In names " becomes ', and names are
 /// cut to 127 bytes. Periodic sides are links of the entities ($Periodic).
 ///
-/// `mesh` is oriented (OrientCells). Throws Error as FindSideFaces and PeriodicNodes do.
-std::string WriteMsh(const ExportMesh& mesh, MshVersion version);
+/// `mesh` is oriented (OrientCells). Throws Error as MeshFaces and MatchPair do.
+std::string WriteMsh(const SolverMesh& mesh, MshVersion version);
 }

@@ -39,20 +39,20 @@ bool IsSwapped(const BlockConnection& connection)
 }
 }
 
-std::string WritePlot3d(const ExportMesh& mesh)
+std::string WritePlot3d(const SolverMesh& mesh)
 {
   const bool isPlane = mesh.dimension == 2 && mesh.HasConstantHeight();
   const int dimension = isPlane ? 2 : 3;
   MeshText text;
   text.Add(static_cast<int>(mesh.blocks.size())).Add('\n');
-  for (const ExportBlock& block : mesh.blocks)
+  for (const MeshBlock& block : mesh.blocks)
   {
     for (int i = 0; i < dimension; ++i)
     {
       text.Add(block.cells[Index(i)] + 1).Add(i + 1 < dimension ? ' ' : '\n');
     }
   }
-  for (const ExportBlock& block : mesh.blocks)
+  for (const MeshBlock& block : mesh.blocks)
   {
     for (int i = 0; i < dimension; ++i)
     {
@@ -72,14 +72,14 @@ std::string WritePlot3d(const ExportMesh& mesh)
   return text.Take();
 }
 
-std::string WriteNmf(const ExportMesh& mesh)
+std::string WriteNmf(const SolverMesh& mesh)
 {
   const BlockFaces faces = FindBlockFaces(mesh);
   MeshText text;
   text.Add("# Neutral map file\n# Block IDIM JDIM KDIM\n");
   text.Add(static_cast<int>(mesh.blocks.size())).Add('\n');
   int number = 0;
-  for (const ExportBlock& block : mesh.blocks)
+  for (const MeshBlock& block : mesh.blocks)
   {
     text.Add(++number);
     for (const int cells : block.cells)

@@ -1,14 +1,9 @@
 #include "WriteSu2.h"
 
-#include "CellLattice.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "Index.h"
 #include "MeshNumbering.h"
 #include "MeshText.h"
-#include "SideFaces.h"
-
-#include <array>
 
 namespace crossfield
 {
@@ -21,7 +16,7 @@ constexpr int Quad = 9;
 constexpr int Hexahedron = 12;
 constexpr int Wedge = 13;
 
-void RequirePossible(const ExportMesh& mesh, const SideFaces& faces)
+void RequirePossible(const SolverMesh& mesh, const MeshFaces& faces)
 {
   if (mesh.dimension == 2 && !mesh.HasConstantHeight())
   {
@@ -35,46 +30,35 @@ void RequirePossible(const ExportMesh& mesh, const SideFaces& faces)
       std::to_string(mesh.regionNames.size()) +
       "; write each to a file of its own, or a .msh file.");
   }
-  RequireNoInnerSides(mesh, faces, ".su2");
+  faces.RequireNoInnerSides(".su2");
 }
 }
 
-std::string WriteSu2(const ExportMesh& mesh)
+std::string WriteSu2(const SolverMesh& mesh)
 {
-  const SideFaces faces = FindSideFaces(mesh);
+  const MeshFaces faces(mesh);
   RequirePossible(mesh, faces);
-  const CellLattice lattice(mesh.dimension, 1);
-  const std::vector<int> positions = lattice.AbaqusOrder(); // for order 1 that of VTK
-  const MeshNumbering numbering = NumberNodes(mesh, positions, 0);
+  const MeshNumbering numbering(mesh, NodeOrder::Vtk, 0);
   MeshText text;
+  const auto addElement = [&text](int type, const std::vector<int>& nodes)
+  {
+    text.Add(type);
+    for (const int node : nodes)
+    {
+      text.Add(' ').Add(node);
+    }
+  };
   text.Add("NDIME= ").Add(mesh.dimension).Add("\nNELEM= ").Add(mesh.CellCount()).Add('\n');
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    const int collapsed = mesh.CollapsedEdge(cell);
-    if (collapsed >= 0)
-    {
-      const std::array<int, 6> prism = mesh.Prism(cell, collapsed);
-      text.Add(Wedge);
-      for (const std::size_t i :
-        { 0U, 2U, 1U, 3U, 5U, 4U }) // the normals of VTK's triangle point outwards
-      {
-        text.Add(' ').Add(numbering.number[Index(prism[i])]);
-      }
-    }
-    else
-    {
-      text.Add(mesh.dimension == 2 ? Quad : Hexahedron);
-      for (const int position : positions)
-      {
-        text.Add(' ').Add(numbering.number[Index(mesh.Cell(cell)[position])]);
-      }
-    }
+    const std::vector<int> nodes = numbering.OfCell(cell);
+    addElement(nodes.size() == 4 ? Quad : nodes.size() == 6 ? Wedge : Hexahedron, nodes);
     text.Add(' ').Add(cell).Add('\n');
   }
-  text.Add("NPOIN= ").Add(static_cast<int>(numbering.point.size())).Add('\n');
-  for (std::size_t i = 0; i < numbering.point.size(); ++i)
+  text.Add("NPOIN= ").Add(static_cast<int>(numbering.Points().size())).Add('\n');
+  for (std::size_t i = 0; i < numbering.Points().size(); ++i)
   {
-    const Eigen::Vector3d& place = mesh.points[Index(numbering.point[i])];
+    const Eigen::Vector3d& place = mesh.points[Index(numbering.Points()[i])];
     text.Add(place.x()).Add(' ').Add(place.y()).Add(' ');
     if (mesh.dimension == 3)
     {
@@ -84,23 +68,14 @@ std::string WriteSu2(const ExportMesh& mesh)
   }
   const std::vector<std::string> names = FormatNames(mesh.sideNames, {});
   text.Add("NMARK= ").Add(static_cast<int>(names.size())).Add('\n');
-  for (std::size_t side = 0; side < names.size(); ++side)
+  for (int side = 0; side < static_cast<int>(names.size()); ++side)
   {
-    text.Add("MARKER_TAG= ").Add(names[side]).Add("\nMARKER_ELEMS= ");
-    text.Add(static_cast<int>(faces.ofSide[side].size())).Add('\n');
-    for (const SideFace& face : faces.ofSide[side])
+    text.Add("MARKER_TAG= ").Add(names[Index(side)]).Add("\nMARKER_ELEMS= ");
+    text.Add(static_cast<int>(faces.OfSide(side).size())).Add('\n');
+    for (const CellFace& face : faces.OfSide(side))
     {
-      std::vector<int> nodes;
-      for (const int position : lattice.FaceCorners(face.face))
-      {
-        nodes.push_back(numbering.number[Index(mesh.Cell(face.cell)[position])]);
-      }
-      RemoveRepeated(nodes);
-      text.Add(mesh.dimension == 2 ? Line : nodes.size() == 3 ? Triangle : Quad);
-      for (const int node : nodes)
-      {
-        text.Add(' ').Add(node);
-      }
+      const std::vector<int> nodes = numbering.OfFace(face);
+      addElement(nodes.size() == 2 ? Line : nodes.size() == 3 ? Triangle : Quad, nodes);
       text.Add('\n');
     }
   }

@@ -5,6 +5,7 @@
 #include "HolonomyConversion.h"
 #include "Index.h"
 #include "InputCheck.h"
+#include "PlanarTopology.h"
 #include "UsedPoints.h"
 #include "vtkCrossFieldArrayNames.h"
 

@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -46,10 +45,10 @@ Eigen::Matrix4d InSpace(const crossfield::RigidMotion& motion, const crossfield:
 namespace PeriodicConversion
 {
 //------------------------------------------------------------------------------
-std::vector<crossfield::PeriodicPair> Read(
+std::vector<crossfield::SidePair> Read(
   vtkFieldData* data, const std::vector<std::string>& sideNames)
 {
-  std::vector<crossfield::PeriodicPair> pairs;
+  std::vector<crossfield::SidePair> pairs;
   auto* sides = vtkStringArray::SafeDownCast(data->GetAbstractArray(names::PeriodicSides));
   vtkDataArray* motions = data->GetArray(names::PeriodicMotion);
   if (sides == nullptr && motions == nullptr)
@@ -76,7 +75,7 @@ std::vector<crossfield::PeriodicPair> Read(
   };
   for (vtkIdType pair = 0; pair < motions->GetNumberOfTuples(); ++pair)
   {
-    crossfield::PeriodicPair one;
+    crossfield::SidePair one;
     one.first = sideAt(2 * pair);
     one.second = sideAt(2 * pair + 1);
     for (int i = 0; i < 16; ++i)
@@ -86,23 +85,6 @@ std::vector<crossfield::PeriodicPair> Read(
     pairs.push_back(one);
   }
   return pairs;
-}
-
-//------------------------------------------------------------------------------
-std::vector<crossfield::PairedSides> ReadInPlane(vtkFieldData* data,
-  const std::vector<std::string>& sideNames, const crossfield::DomainPlane& plane)
-{
-  std::vector<crossfield::PairedSides> sides;
-  for (const crossfield::PeriodicPair& pair : Read(data, sideNames))
-  {
-    const Eigen::Affine3d motion(pair.motion);
-    const auto image = [&](const crossfield::Point& point)
-    { return plane.ToPlane(motion * plane.ToSpace(point)); };
-    const crossfield::Point origin = image(crossfield::Point::Zero());
-    const crossfield::Point along = image(crossfield::Point::UnitX()) - origin;
-    sides.push_back({ pair.first, pair.second, { std::atan2(along.y(), along.x()), origin }, {} });
-  }
-  return sides;
 }
 
 //------------------------------------------------------------------------------

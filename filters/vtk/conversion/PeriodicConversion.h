@@ -2,8 +2,8 @@
 #define PeriodicConversion_h
 
 #include "DomainPlane.h"
-#include "ExportMesh.h"
 #include "QuadMesh.h"
+#include "SolverMesh.h"
 
 #include <array>
 #include <string>
@@ -22,12 +22,8 @@ namespace PeriodicConversion
  * Reads the pairs of periodic sides of a mesh; none if it has not the arrays. Throws crossfield::Error if
  * they do not belong together or name a side that the mesh has not.
  */
-std::vector<crossfield::PeriodicPair> Read(
+std::vector<crossfield::SidePair> Read(
   vtkFieldData* data, const std::vector<std::string>& sideNames);
-
-/** Reads the same as motions of a plane. Throws crossfield::Error as Read does. */
-std::vector<crossfield::PairedSides> ReadInPlane(vtkFieldData* data,
-  const std::vector<std::string>& sideNames, const crossfield::DomainPlane& plane);
 
 /** Reads pairs A:B, separated by semicolons; the last colon of a pair divides it. */
 std::vector<std::array<std::string, 2>> ReadNames(const std::string& text);

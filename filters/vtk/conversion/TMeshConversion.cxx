@@ -3,6 +3,7 @@
 #include "ColumnWriting.h"
 #include "Error.h"
 #include "Index.h"
+#include "PlanarTopology.h"
 #include "TraceGraph.h"
 #include "vtkCrossFieldArrayNames.h"
 

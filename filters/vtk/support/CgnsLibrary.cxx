@@ -35,7 +35,7 @@ void Require()
 }
 
 //------------------------------------------------------------------------------
-std::string Write(crossfield::ExportMesh mesh)
+std::string Write(crossfield::SolverMesh mesh)
 {
   Require();
   crossfield::PrepareMesh(mesh, crossfield::MeshFormat::Cgns);

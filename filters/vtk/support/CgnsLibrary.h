@@ -1,7 +1,7 @@
 #ifndef CgnsLibrary_h
 #define CgnsLibrary_h
 
-#include "ExportMesh.h"
+#include "SolverMesh.h"
 
 #include <string>
 
@@ -18,7 +18,7 @@ bool IsAvailable();
 void Require();
 
 /** Prepares a mesh and returns the bytes of its file. Throws crossfield::Error. */
-std::string Write(crossfield::ExportMesh mesh);
+std::string Write(crossfield::SolverMesh mesh);
 }
 
 #endif

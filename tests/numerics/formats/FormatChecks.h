@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ExportMesh.h"
 #include "Index.h"
 #include "MeshFormats.h"
+#include "SolverMesh.h"
 #include "Support.h"
 #include "WriteFoam.h"
 
@@ -17,13 +17,13 @@ namespace crossfield::test
 {
 /// Returns the text of a format that has one file.
 inline std::string Written(
-  const ExportMesh& mesh, const std::string& name, MshVersion version = MshVersion::V41)
+  const SolverMesh& mesh, const std::string& name, MshVersion version = MshVersion::V41)
 {
   return WriteMeshFiles(mesh, name, version).at(0).text;
 }
 
 /// Returns the text of a file of a case of OpenFOAM, an empty one if there is no such file.
-inline std::string FoamTextOf(const ExportMesh& mesh, const std::string& file)
+inline std::string FoamTextOf(const SolverMesh& mesh, const std::string& file)
 {
   for (const auto& [name, text] : WriteFoam(mesh))
   {
@@ -42,7 +42,7 @@ public:
   LatticeMesh(int dimension, int order, int columns, int rows, std::uint32_t seed)
     : Random_(seed)
   {
-    ExportMesh& mesh = this->Mesh;
+    SolverMesh& mesh = this->Mesh;
     mesh.dimension = dimension;
     mesh.order = order;
     mesh.regionNames = { "left", "right" };
@@ -110,7 +110,7 @@ public:
     }
   }
 
-  ExportMesh Mesh;
+  SolverMesh Mesh;
   std::vector<Eigen::Vector3i> Places; ///< Per point, its indices in the lattice.
 
 private:

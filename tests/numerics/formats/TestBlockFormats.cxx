@@ -1,9 +1,9 @@
 // PLOT3D, Exodus and EnSight as their formats are read: exact numbers, order of points, names, empty groups.
 
-#include "BlockChecks.h"
-#include "BlockLattice.h"
 #include "FormatChecks.h"
+#include "MeshBlocks.h"
 #include "MeshFormats.h"
+#include "solvermesh/BlockChecks.h"
 
 #include <cstring>
 #include <sstream>
@@ -143,7 +143,7 @@ TEST(BlockFormats, Plot3dHasThePointsOfAllBlocks)
 {
   for (const int dimension : { 2, 3 })
   {
-    ExportMesh mesh = RandomBlocks(dimension, 11);
+    SolverMesh mesh = RandomBlocks(dimension, 11);
     PrepareMesh(mesh, MeshFormat::Plot3d);
     const std::vector<FileText> files = WriteMeshFiles(mesh, "folder/a.xyz");
     ASSERT_EQ(files.size(), 2U);
@@ -152,7 +152,7 @@ TEST(BlockFormats, Plot3dHasThePointsOfAllBlocks)
     std::size_t count = 0;
     text >> count;
     ASSERT_EQ(count, mesh.blocks.size());
-    for (const ExportBlock& block : mesh.blocks)
+    for (const MeshBlock& block : mesh.blocks)
     {
       for (int d = 0; d < dimension; ++d)
       {
@@ -161,7 +161,7 @@ TEST(BlockFormats, Plot3dHasThePointsOfAllBlocks)
         EXPECT_EQ(points, block.cells[Index(d)] + 1);
       }
     }
-    for (const ExportBlock& block : mesh.blocks)
+    for (const MeshBlock& block : mesh.blocks)
     {
       for (int axis = 0; axis < dimension; ++axis)
       {
@@ -180,7 +180,7 @@ TEST(BlockFormats, Plot3dHasThePointsOfAllBlocks)
 
 TEST(BlockFormats, QuadsInSpaceAreOneLayerOfPoints)
 {
-  ExportMesh mesh = BlockGrid({ 1, 1, 0 }, { 2, 1, 0 }, 1);
+  SolverMesh mesh = BlockGrid({ 1, 1, 0 }, { 2, 1, 0 }, 1);
   for (Eigen::Vector3d& point : mesh.points)
   {
     point.z() = point.x();
@@ -198,7 +198,7 @@ TEST(BlockFormats, ExodusHasElementsAndSideSets)
   for (const auto& [dimension, order] : { std::pair{ 2, 1 }, { 2, 2 }, { 3, 1 }, { 3, 2 } })
   {
     const LatticeMesh lattice(dimension, order, 4, 3, 17);
-    ExportMesh mesh = lattice.Mesh;
+    SolverMesh mesh = lattice.Mesh;
     mesh.sideNames.emplace_back("empty");
     mesh.regionNames.emplace_back("empty too");
     const std::string bytes = Written(mesh, "a.exo");
@@ -276,7 +276,7 @@ TEST(BlockFormats, ExodusHasElementsAndSideSets)
 
 TEST(BlockFormats, NamesOfExodusAreCutAndDifferent)
 {
-  ExportMesh mesh = BlockGrid({ 1, 1, 0 }, { 2, 1, 0 }, 1);
+  SolverMesh mesh = BlockGrid({ 1, 1, 0 }, { 2, 1, 0 }, 1);
   mesh.sideNames[0] = std::string(40, 'a') + "1";
   mesh.sideNames[1] = std::string(40, 'a') + "2";
   mesh.sideNames[2] = "größe 'x' \"y\"";
@@ -298,16 +298,16 @@ TEST(BlockFormats, EnSightNamesItsGeometryWithoutBlanks)
 
 TEST(BlockFormats, WhatCannotBeWrittenIsRefused)
 {
-  const auto write = [](const ExportMesh& mesh, const char* name)
+  const auto write = [](const SolverMesh& mesh, const char* name)
   { return [&mesh, name] { WriteMeshFiles(mesh, name); }; };
-  ExportMesh mesh = BlockGrid({ 2, 1, 0 }, { 2, 1, 0 }, 1);
+  SolverMesh mesh = BlockGrid({ 2, 1, 0 }, { 2, 1, 0 }, 1);
   EXPECT_TRUE(Refuses(write(mesh, "a.med"), { "ending", ".cgns", ".xyz" }));
   EXPECT_TRUE(Refuses(write(mesh, "a.cgns"), { "vtkQuadMeshWriter" }));
   mesh.blocks.clear();
   EXPECT_TRUE(Refuses(write(mesh, "a.xyz"), { "BlockId" }));
   mesh.points[0].x() = std::nan("");
   EXPECT_TRUE(Refuses(write(mesh, "a.ex2"), { "not finite" }));
-  EXPECT_TRUE(Refuses(write(ExportMesh(), "a.ex2"), { "no cells" }));
+  EXPECT_TRUE(Refuses(write(SolverMesh(), "a.ex2"), { "no cells" }));
   for (const char* name : { "a.xyz", "a.cgns" })
   {
     EXPECT_TRUE(Refuses([name] { RequireOrder(MeshFormatOf(name), 2); }, { "order 1 only" }));

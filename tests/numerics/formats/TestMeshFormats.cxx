@@ -322,7 +322,7 @@ TEST(MeshFormats, NumbersAreExact)
 
 TEST(MeshFormats, RefusesWhatAFormatCannotHave)
 {
-  const auto expect = [](const ExportMesh& mesh, const std::string& name, const std::string& reason)
+  const auto expect = [](const SolverMesh& mesh, const std::string& name, const std::string& reason)
   {
     try
     {
@@ -334,32 +334,32 @@ TEST(MeshFormats, RefusesWhatAFormatCannotHave)
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
     }
   };
-  const ExportMesh third = LatticeMesh(2, 3, 2, 2, 1).Mesh;
+  const SolverMesh third = LatticeMesh(2, 3, 2, 2, 1).Mesh;
   expect(third, "a.inp", "no elements of order 3");
   expect(third, "a.su2", "order 1 only");
-  ExportMesh mesh = LatticeMesh(2, 1, 2, 2, 1).Mesh;
+  SolverMesh mesh = LatticeMesh(2, 1, 2, 2, 1).Mesh;
   expect(mesh, "a.su2", "no regions, and this mesh has 2");
-  ExportMesh tilted = mesh;
+  SolverMesh tilted = mesh;
   tilted.points[0].z() += 1.0;
   expect(tilted, "a.inp", "z = const");
   tilted.regionNames.resize(1);
   tilted.region.assign(4, 0);
   expect(tilted, "a.su2", "z = const");
-  ExportMesh missing = mesh;
+  SolverMesh missing = mesh;
   missing.faces.resize(missing.faces.size() - 2);
   missing.side.pop_back();
   expect(missing, "a.msh", "belongs to no side");
-  ExportMesh twice = mesh;
+  SolverMesh twice = mesh;
   twice.faces.insert(twice.faces.end(), { twice.faces[1], twice.faces[0] });
   twice.side.push_back(1);
   expect(twice, "a.msh", "given twice");
-  ExportMesh foreign = mesh;
+  SolverMesh foreign = mesh;
   const CellLattice lattice(2, 1);
   foreign.faces.insert(foreign.faces.end(),
     { mesh.cells[Index(lattice.Corner(0))], mesh.cells[Index(lattice.Corner(2))] });
   foreign.side.push_back(0);
   expect(foreign, "a.msh", "belongs to no cell");
-  ExportMesh inside = mesh;
+  SolverMesh inside = mesh;
   inside.regionNames.resize(1);
   inside.region.assign(4, 0);
   const std::set<int> first(mesh.cells.begin(), mesh.cells.begin() + 4);
@@ -372,7 +372,7 @@ TEST(MeshFormats, RefusesWhatAFormatCannotHave)
   }
   inside.side.push_back(0);
   expect(inside, "a.su2", "'bottom' is inside");
-  ExportMesh damaged = mesh;
+  SolverMesh damaged = mesh;
   damaged.cells[3] = 9;
   expect(damaged, "a.msh", "damaged");
   damaged = mesh;

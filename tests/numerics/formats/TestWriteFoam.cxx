@@ -4,7 +4,7 @@
 
 #include "FoamMesh.h"
 #include "FormatChecks.h"
-#include "GatherBlocks.h"
+#include "MeshBlocks.h"
 #include "SweepQuads.h"
 
 #include <Eigen/Geometry>
@@ -19,16 +19,16 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 
-FoamMesh FacesOf(const ExportMesh& mesh)
+FoamMesh FacesOf(const SolverMesh& mesh)
 {
   return MakeFoamMesh(mesh, MeshFaces(mesh));
 }
 
 /// Quads of a rectangle, columns × rows, from the points of a map of the unit square, as blocks of random sizes.
-ExportMesh Rectangle(int columns, int rows,
+SolverMesh Rectangle(int columns, int rows,
   const std::function<Eigen::Vector3d(double, double)>& place, Random& random)
 {
-  ExportMesh mesh =
+  SolverMesh mesh =
     LatticeMesh(2, 1, columns, rows, static_cast<std::uint32_t>(random.Integer(1, 1000))).Mesh;
   for (Eigen::Vector3d& point : mesh.points)
   {
@@ -48,7 +48,7 @@ Eigen::Vector3d UnitSquare(double u, double v)
 /// Sums over a mesh of OpenFOAM: per cell the face vectors, which must vanish, and the volume.
 struct CellSums
 {
-  CellSums(const ExportMesh& mesh, const FoamMesh& foam)
+  CellSums(const SolverMesh& mesh, const FoamMesh& foam)
     : areas(mesh.region.size(), Eigen::Vector3d::Zero())
     , volumes(mesh.region.size(), 0.0)
     , faces(mesh.region.size(), 0)
@@ -92,7 +92,7 @@ struct CellSums
 };
 
 /// Expects what OpenFOAM demands of every mesh; returns the total volume.
-double ExpectValid(const ExportMesh& mesh, const FoamMesh& foam)
+double ExpectValid(const SolverMesh& mesh, const FoamMesh& foam)
 {
   std::array<int, 2> before = { -1, -1 };
   for (std::size_t face = 0; face < foam.neighbour.size(); ++face)
@@ -147,7 +147,7 @@ TEST(WriteFoam, CellsAreClosedAndFacesInOrder)
     Sweep sweep;
     sweep.layers = random.Integer(1, 4);
     sweep.height = 0.7;
-    const ExportMesh mesh = SweepQuads(Rectangle(columns, rows, UnitSquare, random), sweep).mesh;
+    const SolverMesh mesh = SweepQuads(Rectangle(columns, rows, UnitSquare, random), sweep);
     const FoamMesh foam = FacesOf(mesh);
     EXPECT_NEAR(ExpectValid(mesh, foam), 0.7, 1e-12);
     const int quads = columns * rows;
@@ -188,7 +188,7 @@ TEST(WriteFoam, RevolutionsHaveWedgesAndPrisms)
         sweep.angle = angle;
         const auto place = [inner](double u, double v)
         { return Eigen::Vector3d(2.0 * u, inner + v, 0.0); };
-        const ExportMesh mesh = SweepQuads(Rectangle(4, 3, place, random), sweep).mesh;
+        const SolverMesh mesh = SweepQuads(Rectangle(4, 3, place, random), sweep);
         const FoamMesh foam = FacesOf(mesh);
         // The area of the polygon that replaces the arc is that of its triangles.
         const double step = angle / 180.0 * Pi / layers;
@@ -211,15 +211,15 @@ TEST(WriteFoam, RevolutionsHaveWedgesAndPrisms)
 TEST(WriteFoam, PeriodicSidesAreCyclicAndMatch)
 {
   Random random(43);
-  ExportMesh quads = Rectangle(5, 4, UnitSquare, random);
-  PeriodicPair pair;
+  SolverMesh quads = Rectangle(5, 4, UnitSquare, random);
+  SidePair pair;
   pair.first = 3;
   pair.second = 1;
   pair.motion(0, 3) = 1.0;
-  quads.periodic = { pair };
+  quads.pairs = { pair };
   Sweep sweep;
   sweep.layers = 3;
-  const ExportMesh mesh = SweepQuads(quads, sweep).mesh;
+  const SolverMesh mesh = SweepQuads(quads, sweep);
   const FoamMesh foam = FacesOf(mesh);
   ExpectValid(mesh, foam);
   const FoamPatch* left = Find(foam, "left_side");
@@ -250,7 +250,7 @@ TEST(WriteFoam, PeriodicSidesAreCyclicAndMatch)
 
 TEST(WriteFoam, RegionsAndInnerSidesAreZones)
 {
-  ExportMesh quads = LatticeMesh(2, 1, 4, 3, 7).Mesh; // regions left and right
+  SolverMesh quads = LatticeMesh(2, 1, 4, 3, 7).Mesh; // regions left and right
   quads.sideNames.emplace_back("between");
   std::map<std::pair<int, int>, std::set<int>> regions;
   for (int cell = 0; cell < quads.CellCount(); ++cell)
@@ -273,7 +273,7 @@ TEST(WriteFoam, RegionsAndInnerSidesAreZones)
   OrientCells(quads);
   Sweep sweep;
   sweep.layers = 2;
-  const ExportMesh mesh = SweepQuads(quads, sweep).mesh;
+  const SolverMesh mesh = SweepQuads(quads, sweep);
   const FoamMesh foam = FacesOf(mesh);
   ExpectValid(mesh, foam);
   ASSERT_EQ(foam.cellZones.size(), 2U);
@@ -296,7 +296,7 @@ TEST(WriteFoam, NamesAreWords)
   const std::string letters = "ab1 \"'/;{}()#$\\\tä";
   for (int run = 0; run < 200; ++run)
   {
-    ExportMesh quads = Rectangle(1, 1, UnitSquare, random);
+    SolverMesh quads = Rectangle(1, 1, UnitSquare, random);
     for (std::string& name : quads.sideNames)
     {
       name.clear();
@@ -310,7 +310,7 @@ TEST(WriteFoam, NamesAreWords)
     {
       continue;
     }
-    const ExportMesh mesh = SweepQuads(quads, {}).mesh;
+    const SolverMesh mesh = SweepQuads(quads, {});
     std::set<std::string> names;
     for (const FoamPatch& patch : FacesOf(mesh).patches)
     {
@@ -325,14 +325,14 @@ TEST(WriteFoam, NamesAreWords)
 TEST(WriteFoam, AThousandSides)
 {
   Random random(46);
-  ExportMesh quads = Rectangle(500, 1, UnitSquare, random);
+  SolverMesh quads = Rectangle(500, 1, UnitSquare, random);
   quads.sideNames.clear();
   for (int face = 0; face < quads.FaceCount(); ++face)
   {
     quads.sideNames.push_back("side " + std::to_string(face));
     quads.side[Index(face)] = face;
   }
-  const ExportMesh mesh = SweepQuads(quads, {}).mesh;
+  const SolverMesh mesh = SweepQuads(quads, {});
   const FoamMesh foam = FacesOf(mesh);
   ExpectValid(mesh, foam);
   EXPECT_EQ(foam.patches.size(), 1003U);
@@ -346,10 +346,10 @@ TEST(WriteFoam, QuadsAreOneLayerOfAPowerOfTen)
   {
     const auto place = [size = size](double u, double v)
     { return Eigen::Vector3d(size * u, size * v, 0.0); };
-    const ExportMesh quads = Rectangle(2, 2, place, random);
+    const SolverMesh quads = Rectangle(2, 2, place, random);
     EXPECT_NEAR(FoamThickness(quads) / thickness, 1.0, 1e-15);
   }
-  const ExportMesh quads = Rectangle(2, 2, UnitSquare, random);
+  const SolverMesh quads = Rectangle(2, 2, UnitSquare, random);
   const std::string points = FoamTextOf(quads, "constant/polyMesh/points");
   EXPECT_NE(points.find("18\n(\n"), std::string::npos);
   EXPECT_NE(points.find("(1 0.5 0.1)"), std::string::npos) << points;
@@ -361,11 +361,11 @@ TEST(WriteFoam, OneLayerIsNormalToAnAxis)
   const auto upright = [](double u, double v) { return Eigen::Vector3d(0.0, u, v); };
   EXPECT_NE(FoamTextOf(Rectangle(2, 2, upright, random), "constant/polyMesh/owner"), "");
   const auto tilted = [](double u, double v) { return Eigen::Vector3d(u, v, u); };
-  const ExportMesh quads = Rectangle(2, 2, tilted, random);
+  const SolverMesh quads = Rectangle(2, 2, tilted, random);
   EXPECT_THROW(WriteFoam(quads), Error);
   Sweep sweep;
   sweep.layers = 2;
-  const ExportMesh mesh = SweepQuads(quads, sweep).mesh;
+  const SolverMesh mesh = SweepQuads(quads, sweep);
   ExpectValid(mesh, FacesOf(mesh));
   EXPECT_EQ(WriteFoam(mesh).size(), 8U);
 }
@@ -377,13 +377,13 @@ TEST(WriteFoam, RefusesFacesTwiceInACell)
   sweep.kind = Sweep::Rotation;
   sweep.angle = 360.0;
   const auto place = [](double u, double v) { return Eigen::Vector3d(u, 1.0 + v, 0.0); };
-  EXPECT_THROW(FacesOf(SweepQuads(Rectangle(2, 2, place, random), sweep).mesh), Error);
+  EXPECT_THROW(FacesOf(SweepQuads(Rectangle(2, 2, place, random), sweep)), Error);
 }
 
 TEST(WriteFoam, FolderAndMarker)
 {
   Random random(50);
-  const ExportMesh quads = Rectangle(1, 1, UnitSquare, random);
+  const SolverMesh quads = Rectangle(1, 1, UnitSquare, random);
   for (const auto& [name, marker, owner] :
     { std::array<std::string, 3>{ "a/b/", "a/b/b.foam", "a/b/constant/polyMesh/owner" },
       std::array<std::string, 3>{ "a/x.foam", "a/x.foam", "a/constant/polyMesh/owner" },

@@ -1,0 +1,171 @@
+#include "MeshFaces.h"
+
+#include "CellLattice.h"
+#include "Error.h"
+#include "Index.h"
+
+#include <algorithm>
+
+namespace crossfield
+{
+MeshFaces::MeshFaces(const SolverMesh& mesh)
+  : Mesh(mesh)
+  , FacesOfCell(mesh.dimension == 2 ? 4 : 6)
+  , Starts(mesh.points.size() + 1, 0)
+{
+  const CellLattice lattice(mesh.dimension, mesh.order);
+  for (int face = 0; face < lattice.FaceCount(); ++face)
+  {
+    this->Corners.push_back(lattice.FaceCorners(face));
+  }
+  const std::size_t count = mesh.region.size() * this->FacesOfCell;
+  std::vector<int> smallest(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    smallest[i] = this->KeyOf(i)[0];
+    ++this->Starts[Index(smallest[i]) + 1];
+  }
+  for (std::size_t point = 0; point < mesh.points.size(); ++point)
+  {
+    this->Starts[point + 1] += this->Starts[point];
+  }
+  this->Faces.resize(count);
+  std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    this->Faces[next[Index(smallest[i])]++] = static_cast<int>(i);
+  }
+  this->FindPartners();
+  this->FindSides();
+}
+
+MeshFaces::Key MeshFaces::MakeKey(const int* corners, std::size_t count)
+{
+  Key key{};
+  key.fill(corners[0]);
+  std::copy(corners, corners + count, key.begin());
+  std::sort(key.begin(), key.end());
+  const auto end = std::unique(key.begin(), key.end());
+  std::fill(end, key.end(), *(end - 1));
+  return key;
+}
+
+MeshFaces::Key MeshFaces::KeyOf(std::size_t face) const
+{
+  const int* nodes = this->Mesh.Cell(static_cast<int>(face / this->FacesOfCell));
+  const std::vector<int>& positions = this->Corners[face % this->FacesOfCell];
+  Key corners{};
+  for (std::size_t c = 0; c < positions.size(); ++c)
+  {
+    corners[c] = nodes[positions[c]];
+  }
+  return MakeKey(corners.data(), positions.size());
+}
+
+CellFace MeshFaces::FaceOf(std::size_t face) const
+{
+  return { static_cast<int>(face / this->FacesOfCell), static_cast<int>(face % this->FacesOfCell) };
+}
+
+std::size_t MeshFaces::NumberOf(const CellFace& face) const
+{
+  return Index(face.cell) * this->FacesOfCell + Index(face.face);
+}
+
+std::vector<std::size_t> MeshFaces::Find(const Key& key) const
+{
+  std::vector<std::size_t> found;
+  for (std::size_t i = this->Starts[Index(key[0])]; i < this->Starts[Index(key[0]) + 1]; ++i)
+  {
+    const std::size_t face = Index(this->Faces[i]);
+    if (this->KeyOf(face) == key)
+    {
+      found.push_back(face);
+    }
+  }
+  return found;
+}
+
+void MeshFaces::FindPartners()
+{
+  this->PartnerOfFace.assign(this->Count(), Alone);
+  std::vector<Key> keys;
+  for (std::size_t point = 0; point + 1 < this->Starts.size(); ++point)
+  {
+    keys.clear();
+    const std::size_t first = this->Starts[point];
+    for (std::size_t i = first; i < this->Starts[point + 1]; ++i)
+    {
+      const Key key = this->KeyOf(Index(this->Faces[i]));
+      int& partner = this->PartnerOfFace[Index(this->Faces[i])];
+      const auto twin = std::find(keys.begin(), keys.end(), key);
+      if (this->Mesh.dimension == 3 && key[1] == key[2])
+      {
+        partner = Line;
+      }
+      else if (twin != keys.end())
+      {
+        partner = this->Faces[first + static_cast<std::size_t>(twin - keys.begin())];
+        this->PartnerOfFace[Index(partner)] = this->Faces[i];
+      }
+      keys.push_back(key);
+    }
+  }
+}
+
+void MeshFaces::FindSides()
+{
+  const std::string kind = this->Mesh.dimension == 2 ? "edge" : "face";
+  const std::string article = this->Mesh.dimension == 2 ? "an " : "a ";
+  this->FacesOfSide.resize(this->Mesh.sideNames.size());
+  this->Inside.assign(this->Mesh.sideNames.size(), false);
+  this->SideOfFace.assign(this->Count(), -1);
+  const std::size_t corners = Index(this->Mesh.CornersOfFace());
+  for (int i = 0; i < this->Mesh.FaceCount(); ++i)
+  {
+    const Key key = MakeKey(this->Mesh.faces.data() + Index(i) * corners, corners);
+    const std::vector<std::size_t> found = this->Find(key);
+    const int side = this->Mesh.side[Index(i)];
+    if (found.empty() || this->SideOfFace[found[0]] >= 0)
+    {
+      throw Error("Side '" + this->Mesh.sideNames[Index(side)] + "' has " + article + kind +
+        " at " + PlaceOf(this->Mesh, key[0]) +
+        (found.empty() ? " that belongs to no cell" : " that is given twice") +
+        "; give the boundary of this mesh.");
+    }
+    for (const std::size_t face : found)
+    {
+      this->SideOfFace[face] = side;
+    }
+    this->Inside[Index(side)] = this->Inside[Index(side)] || found.size() > 1;
+    this->OfBoundary.push_back(this->FaceOf(found[0]));
+    this->FacesOfSide[Index(side)].push_back(this->OfBoundary.back());
+  }
+  for (std::size_t i = 0; i < this->Count(); ++i)
+  {
+    if (this->SideOfFace[i] < 0 && this->PartnerOfFace[i] == Alone)
+    {
+      throw Error("The " + kind + " of the boundary at " + PlaceOf(this->Mesh, this->KeyOf(i)[0]) +
+        " belongs to no side; give all edges of the boundary.");
+    }
+  }
+}
+
+int MeshFaces::SideOf(const Key& key) const
+{
+  const std::vector<std::size_t> found = this->Find(key);
+  const int side = found.size() == 1 ? this->SideOfFace[found[0]] : -1;
+  return side >= 0 && this->IsInside(side) ? -1 : side;
+}
+
+void MeshFaces::RequireNoInnerSides(const std::string& format) const
+{
+  const auto inner = std::find(this->Inside.begin(), this->Inside.end(), true);
+  if (inner != this->Inside.end())
+  {
+    throw Error("The format " + format + " has sides on the boundary only, and '" +
+      this->Mesh.sideNames[static_cast<std::size_t>(inner - this->Inside.begin())] +
+      "' is inside; leave it out, or write a .msh or .vtu file.");
+  }
+}
+}

@@ -1,0 +1,264 @@
+#include "SolverMeshReading.h"
+
+#include "CellLoop.h"
+#include "CurveConversion.h"
+#include "ElementNodes.h"
+#include "Error.h"
+#include "InputCheck.h"
+#include "MeshBlocks.h"
+#include "PeriodicConversion.h"
+#include "QuadConversion.h"
+#include "SegmentCurveConversion.h"
+#include "SolverCells.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+using crossfield::Error;
+using crossfield::Index;
+using crossfield::SolverMesh;
+using SolverCells::CellKind;
+using SolverCells::Kinds;
+
+/** Throws Error unless quads and boundary have the arrays of vtkQuadMesher's outputs. */
+void RequireBoundaryOf(vtkUnstructuredGrid* quads, vtkPolyData* boundary)
+{
+  const auto hasCells = [](vtkDataSet* data, const char* name)
+  { return data->GetCellData()->GetAbstractArray(name) != nullptr; };
+  vtkDataArray* vertices = boundary->GetPointData()->GetArray(names::VertexId);
+  const auto isVertex = [&](vtkIdType i)
+  {
+    const double id = vertices->GetTuple1(i);
+    return id >= 0.0 && id < static_cast<double>(quads->GetNumberOfPoints());
+  };
+  bool isValid = vertices != nullptr && vertices->GetNumberOfComponents() == 1 &&
+    boundary->GetNumberOfLines() == boundary->GetNumberOfCells();
+  for (vtkIdType i = 0; isValid && i < boundary->GetNumberOfPoints(); ++i)
+  {
+    isValid = isVertex(i);
+  }
+  for (vtkIdType i = 0; isValid && i < boundary->GetNumberOfCells(); ++i)
+  {
+    isValid = boundary->GetCellType(i) == VTK_LINE;
+  }
+  for (const char* name : { names::BoundaryKind, names::BoundaryId, names::Side })
+  {
+    isValid = isValid && hasCells(boundary, name);
+  }
+  for (const char* name :
+    { names::BlockId, names::I, names::J, names::ScaledJacobian, names::SizeRatio })
+  {
+    isValid = isValid && hasCells(quads, name);
+  }
+  if (!isValid)
+  {
+    throw Error(
+      "The inputs are not the quads and the boundary of one mesh; connect the outputs Quads "
+      "and Boundary of the same Quad Mesher.");
+  }
+}
+
+/** Adds the nodes of a cell of a grid as a lattice, given per node its position in it. */
+void AddCell(
+  const CellLoop::Points& ids, int type, const std::vector<int>& order, std::vector<int>& cells)
+{
+  const std::size_t first = cells.size();
+  cells.resize(first + order.size());
+  for (std::size_t node = 0; node < order.size(); ++node)
+  {
+    const vtkIdType number =
+      type == VTK_WEDGE ? crossfield::PrismCorners[node] : static_cast<vtkIdType>(node);
+    cells[first + Index(order[node])] = static_cast<int>(ids[number]);
+  }
+}
+
+/** Adds the corners of a face of a grid. */
+void AddFace(const CellLoop::Points& ids, int corners, std::vector<int>& faces)
+{
+  for (int corner = 0; corner < corners; ++corner)
+  {
+    // A triangle repeats its last corner.
+    faces.push_back(static_cast<int>(ids[std::min<vtkIdType>(corner, ids.Size() - 1)]));
+  }
+}
+
+int SideOf(const std::string& name, std::map<std::string, int>& numbers, SolverMesh& mesh)
+{
+  const auto [side, isNew] = numbers.emplace(name, static_cast<int>(mesh.sideNames.size()));
+  if (isNew)
+  {
+    mesh.sideNames.push_back(name);
+  }
+  return side->second;
+}
+
+std::vector<crossfield::MeshBlock> ReadBlocks(const SolverMesh& mesh, vtkCellData* data)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (const char* name : { names::BlockId, names::I, names::J, names::K })
+  {
+    arrays.push_back(data->GetArray(name));
+    if (arrays.back() == nullptr && (name != names::K || mesh.dimension == 3))
+    {
+      return {};
+    }
+  }
+  std::vector<crossfield::BlockPlace> places;
+  for (const int cell : mesh.sources.cells)
+  {
+    const auto value = [&](std::size_t array)
+    { return arrays[array] ? static_cast<int>(arrays[array]->GetTuple1(cell)) : 0; };
+    places.push_back({ value(0), { value(1), value(2), value(3) } });
+  }
+  return crossfield::GatherBlocks(mesh, places);
+}
+
+/** Reads which sides are the ends of a sweep. */
+crossfield::SweepEnds ReadSweep(vtkFieldData* data, const std::map<std::string, int>& sides)
+{
+  crossfield::SweepEnds sweep;
+  vtkDataArray* layers = data->GetArray(names::SweepLayers);
+  vtkDataArray* angle = data->GetArray(names::SweepAngle);
+  auto* ends = vtkStringArray::SafeDownCast(data->GetAbstractArray(names::SweepEnds));
+  if (layers == nullptr || layers->GetNumberOfValues() != 1)
+  {
+    return sweep;
+  }
+  sweep.layers = static_cast<int>(layers->GetTuple1(0));
+  sweep.isRotation = angle != nullptr;
+  if (ends != nullptr && ends->GetNumberOfValues() == 2)
+  {
+    const auto find = [&](vtkIdType i)
+    {
+      const auto side = sides.find(ends->GetValue(i));
+      return side == sides.end() ? -1 : side->second;
+    };
+    sweep.back = find(0);
+    sweep.front = find(1);
+  }
+  return sweep;
+}
+
+}
+
+namespace SolverMeshReading
+{
+//------------------------------------------------------------------------------
+void Join(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredGrid* grid)
+{
+  InputCheck::Require(quads);
+  if (boundary == nullptr || boundary->GetNumberOfCells() == 0)
+  {
+    grid->ShallowCopy(quads);
+    return;
+  }
+  InputCheck::Require(boundary);
+  RequireBoundaryOf(quads, boundary);
+  QuadConversion::Combine(quads, boundary, grid);
+  SegmentCurveConversion::CopyCurves(boundary, grid);
+  PeriodicConversion::Copy(boundary->GetFieldData(), grid->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+SolverMesh Read(vtkUnstructuredGrid* grid)
+{
+  SolverMesh mesh;
+  mesh.order = 0;
+  mesh.regionNames = { "domain" };
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    InputCheck::RequireFinite(grid->GetPoint(i), i);
+    mesh.points.emplace_back(grid->GetPoint(i));
+  }
+  mesh.sources.points.resize(mesh.points.size());
+  std::iota(mesh.sources.points.begin(), mesh.sources.points.end(), 0);
+  const auto kindOf = [](int type)
+  {
+    return std::find_if(
+      Kinds.begin(), Kinds.end(), [type](const CellKind& kind) { return kind.type == type; });
+  };
+  CellLoop::ForEachCell(grid,
+    [&](vtkIdType, int type, const CellLoop::Points&)
+    {
+      const auto* kind = kindOf(type);
+      mesh.dimension = kind != Kinds.end() && kind->dimension == 3 ? 3 : mesh.dimension;
+    });
+  auto* sides = vtkStringArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(names::Side));
+  std::map<std::string, int> numbers;
+  std::vector<int> order; // per node in VTK's order, its position in the lattice
+  CellLoop::ForEachCell(grid,
+    [&](vtkIdType cell, int type, const CellLoop::Points& ids)
+    {
+      const auto* kind = kindOf(type);
+      const bool isKnown = kind != Kinds.end() && kind->points == ids.Size();
+      const bool isCell = isKnown && kind->dimension == mesh.dimension && type != VTK_TRIANGLE;
+      const bool isFace = isKnown && kind->dimension == mesh.dimension - 1;
+      if ((!isCell && !isFace) || (mesh.order != 0 && kind->order != mesh.order))
+      {
+        throw Error(
+          "The mesh has other cells than quads and lines of one order; give the quads of a Quad "
+          "Mesher, of Quads To Higher Order or the hexahedra of Extrude Quads.");
+      }
+      if (mesh.order == 0)
+      {
+        mesh.order = kind->order;
+        order =
+          crossfield::CellLattice(mesh.dimension, mesh.order).OrderFor(crossfield::NodeOrder::Vtk);
+      }
+      if (isCell)
+      {
+        AddCell(ids, type, order, mesh.cells);
+        mesh.region.push_back(0);
+        mesh.sources.cells.push_back(static_cast<int>(cell));
+        return;
+      }
+      if (sides == nullptr)
+      {
+        throw Error("The boundary edges have no cell array Side of strings; give the quads of a "
+                    "Quad Mesher.");
+      }
+      AddFace(ids, mesh.CornersOfFace(), mesh.faces);
+      mesh.side.push_back(SideOf(sides->GetValue(cell), numbers, mesh));
+      mesh.sources.faces.push_back(static_cast<int>(cell));
+    });
+  if (mesh.region.empty())
+  {
+    throw Error("The mesh has no quads; give the quads of a Quad Mesher.");
+  }
+  if (mesh.side.empty())
+  {
+    throw Error(
+      "The quads have no boundary edges; put Quads To Higher Order with Order 1 directly behind Quad "
+      "Mesher, before filters that change points or cells.");
+  }
+  mesh.blocks = ReadBlocks(mesh, grid->GetCellData());
+  mesh.sweep = ReadSweep(grid->GetFieldData(), numbers);
+  mesh.pairs = PeriodicConversion::Read(grid->GetFieldData(), mesh.sideNames);
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+void ReadCurves(vtkUnstructuredGrid* grid, SolverMesh& mesh)
+{
+  CurveConversion::CellCurves curves = CurveConversion::ReadCurves(grid);
+  mesh.curves = std::move(curves.curves);
+  mesh.curve.clear();
+  for (std::size_t face = 0; face < mesh.sources.faces.size() && !curves.ofCell.empty(); ++face)
+  {
+    mesh.curve.push_back(curves.ofCell[Index(mesh.sources.faces[face])]);
+  }
+}
+
+}
