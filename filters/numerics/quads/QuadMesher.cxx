@@ -45,18 +45,18 @@ double AreaOf(const TMesh& tMesh)
 class Mesher
 {
 public:
-  Mesher(const SeamlessMap& map, const std::vector<PairedSides>& pairs,
-    const BoundaryCurves& curves, const QuadOptions& options, QuadResult& result)
-    : Map(map)
-    , Pairs(pairs)
+  Mesher(const LayoutSet& layouts, const BoundaryCurves& curves, const QuadOptions& options,
+    QuadResult& result)
+    : Map(layouts.Single().map)
+    , Pairs(layouts.pairs)
     , Options(options)
     , Result(result)
     , Curves(curves)
-    , Domain{ RequirePlanar(map.topology)->AlignedLoops() }
+    , Domain{ RequirePlanar(Map.topology)->AlignedLoops() }
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
-    , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
-    , Sums(SumsOf(map, pairs, curves, options, result.tMesh))
+    , Graded(Map, this->Curves, options.sides, options.prescribed, result.tMesh)
+    , Sums(this->MakeSums())
   {
   }
 
@@ -94,8 +94,6 @@ public:
     this->PairNodes(result.mesh);
     result.layoutSeconds += stopwatch.Lap();
   }
-
-  double DomainArea() const { return this->Area; }
 
   void Smooth(QuadResult& result, const Progress& progress) const
   {
@@ -160,15 +158,15 @@ private:
   /// blocks.
   static constexpr double AcceptedFraction = 0.5;
 
-  /// Returns all sums of edge counts that the options prescribe.
-  static std::vector<CountSum> SumsOf(const SeamlessMap& map, const std::vector<PairedSides>& pairs,
-    const BoundaryCurves& curves, const QuadOptions& options, const TMesh& tMesh)
+  /// Returns all sums of edge counts that pairs and the options prescribe.
+  std::vector<CountSum> MakeSums() const
   {
-    std::vector<CountSum> sums = PairSums(map, curves, options.sides, pairs, tMesh);
-    for (CountSum& sum : PrescribedSums(map, curves, options.sides, options.prescribed, tMesh))
-    {
-      sums.push_back(std::move(sum));
-    }
+    const BoundarySides& sides = this->Options.sides;
+    const TMesh& tMesh = this->Result.tMesh;
+    std::vector<CountSum> sums = PairSums(this->Map, this->Curves, sides, this->Pairs, tMesh);
+    const std::vector<CountSum> others =
+      PrescribedSums(this->Map, this->Curves, sides, this->Options.prescribed, tMesh);
+    sums.insert(sums.end(), others.begin(), others.end());
     return sums;
   }
 
@@ -397,17 +395,16 @@ QuadResult MakeQuads(const LayoutSet& layouts, const QuadOptions& options, const
   {
     throw Error("The size of quads must be a positive number, or their count at least 1.");
   }
-  const Layout& layout = layouts.Single();
-  const SeamlessMap& map = layout.map;
+  const SeamlessMap& map = layouts.Single().map;
   QuadResult result;
-  result.tMesh = layout.tMesh;
+  result.tMesh = layouts.Single().tMesh;
   const BoundaryCurves curves(*RequirePlanar(map.topology), options.curves);
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
   SplitAtPairs(map, curves, options.sides, layouts.pairs, result.tMesh);
-  Mesher mesher(map, layouts.pairs, curves, options, result);
+  Mesher mesher(layouts, curves, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);
-  RequireSuitableCounts(result.mesh, mesher.DomainArea(), options.sides, options.prescribed);
+  RequireSuitableCounts(result.mesh, AreaOf(result.tMesh), options.sides, options.prescribed);
   progress.Report(0.4);
   const double smoothed = options.coarse ? 0.7 : 1.0;
   mesher.Smooth(result, progress.Part(0.4, smoothed));
