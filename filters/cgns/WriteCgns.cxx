@@ -46,8 +46,10 @@ public:
   Writer(const SolverMesh& mesh, int file)
     : Mesh(mesh)
     , File(file)
-    , Faces(FindBlockFaces(mesh))
   {
+    const crossfield::MeshFaces faces(mesh);
+    faces.RequireNoInnerSides(".cgns");
+    this->Faces = FindBlockFaces(mesh, faces);
   }
 
   void Write()

@@ -9,7 +9,7 @@
  *
  * Input port 0 (vtkUnstructuredGrid): VTK_QUAD and VTK_LINE cells in a plane: quads with their boundary
  * edges, as in the .vtu files of `crossfield quads` and vtkQuadMesher::CopyMesh, or output 0 of
- * vtkQuadMesher. Cell array `Curve` of the lines and field data `CurveKind`, `CurveOffset` and
+ * vtkQuadMesher. Cell array `Side` (string) of the lines; cell array `Curve` of the lines and field data `CurveKind`, `CurveOffset` and
  * `CurveValues`: the curves (docs/curves.md); without them, the edges are straight. Input port 1,
  * optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no lines; without a connection,
  * those of the vtkQuadMesher upstream whose points and cells port 0 has.
@@ -27,8 +27,8 @@
  *
  * With order 1 the output is the input with its boundary edges.
  *
- * Inverted quads are a warning. The filter fails, with an empty output, if there are other cells, no
- * boundary edges, or curves that are not valid.
+ * Inverted quads are a warning. The filter fails, with an empty output, if there are other cells, boundary edges
+ * are missing or have no side, or curves are not valid.
  *
  * @sa vtkQuadMesher, crossfield::RaiseOrder
  */

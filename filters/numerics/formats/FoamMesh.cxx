@@ -1,8 +1,8 @@
 #include "FoamMesh.h"
 
+#include "ElementNodes.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "MeshNumbering.h"
 #include "SidePairs.h"
 
 #include <algorithm>
@@ -21,9 +21,10 @@ public:
     , Faces(faces)
     , OfSide(faces.OfSides())
     , Numbering(mesh, NodeOrder::Abaqus, 0)
+    , Added(faces.Count(), -1)
     , Result(result)
   {
-    this->Result.point = this->Numbering.Points();
+    this->Result.point = this->Numbering.UsedPoints();
     this->Result.starts = { 0 };
     this->RequireFaces();
     const std::size_t count = faces.Count(); // each inner face twice
@@ -71,7 +72,7 @@ public:
         const CellFace& image = second[Index(match.faces[i])];
         this->OfSide[Index(pair.second)][i] = image;
         this->FirstCorner[this->Faces.NumberOf(image)] = this->Numbering.NumberOf(
-          match.nodes.at(this->Numbering.Points()[Index(this->Numbering.OfFace(first[i])[0])]));
+          match.nodes.at(this->Numbering.UsedPoints()[Index(this->Numbering.OfFace(first[i])[0])]));
       }
     }
   }
@@ -153,6 +154,7 @@ private:
       std::rotate(nodes.begin(), std::find(nodes.begin(), nodes.end(), first->second), nodes.end());
     }
     this->Result.corners.insert(this->Result.corners.end(), nodes.begin(), nodes.end());
+    this->Added[this->Faces.NumberOf(face)] = static_cast<int>(this->Result.owner.size());
     this->Result.starts.push_back(static_cast<int>(this->Result.corners.size()));
     this->Result.owner.push_back(face.cell);
   }
@@ -163,23 +165,14 @@ private:
     std::vector<int> faces;
     for (const CellFace& face : this->OfSide[side])
     {
-      const int partner = this->Faces.PartnerOf(this->Faces.NumberOf(face));
+      const std::size_t own = this->Faces.NumberOf(face);
+      const int partner = this->Faces.PartnerOf(own);
       if (partner < 0)
       {
         throw Error("The side '" + this->Mesh.sideNames[side] +
           "' is in part on the boundary and in part inside; give the parts two names.");
       }
-      const int other = this->Faces.FaceOf(Index(partner)).cell;
-      const int owner = std::min(face.cell, other);
-      const auto first = std::lower_bound(this->Result.owner.begin(),
-        this->Result.owner.begin() + static_cast<std::ptrdiff_t>(this->Result.neighbour.size()),
-        owner);
-      auto number = static_cast<std::size_t>(first - this->Result.owner.begin());
-      while (this->Result.neighbour[number] != std::max(face.cell, other))
-      {
-        ++number;
-      }
-      faces.push_back(static_cast<int>(number));
+      faces.push_back(std::max(this->Added[own], this->Added[Index(partner)]));
     }
     return faces;
   }
@@ -188,9 +181,11 @@ private:
   const MeshFaces& Faces;
   /// Per side its faces; those of the second of periodic sides in the order of their partners.
   std::vector<std::vector<CellFace>> OfSide;
-  const MeshNumbering Numbering;
+  const ElementNodes Numbering;
   std::map<std::size_t, int>
     FirstCorner; ///< Per face of a cyclic patch, the number of its first node.
+  std::vector<int>
+    Added; ///< Per face of a cell its number in the result, −1 if it is that of its partner.
   FoamMesh& Result;
 };
 }

@@ -12,9 +12,4 @@ void AddFoamHeader(MeshText& text, std::string_view type, std::string_view locat
   }
   text.Add(";\n    location \"").Add(location).Add("\";\n    object ").Add(object).Add(";\n}\n");
 }
-
-void AddFoamPoint(MeshText& text, const Eigen::Vector3d& point)
-{
-  text.Add('(').Add(point).Add(')');
-}
 }

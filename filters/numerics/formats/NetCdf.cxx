@@ -57,23 +57,19 @@ void AddAttributes(const std::vector<NetCdf::Attribute>& attributes, std::string
   {
     AddText(attribute.name, bytes);
     AddInteger(attribute.type, bytes);
-    switch (attribute.type)
+    if (attribute.type == NetCdf::Attribute::Text)
     {
-    case NetCdf::Attribute::Text:
       AddText(attribute.text, bytes);
-      break;
-    case NetCdf::Attribute::Integer:
-      AddInteger(1, bytes);
-      AddInteger(static_cast<int>(attribute.number), bytes);
-      break;
-    case NetCdf::Attribute::Float:
-      AddInteger(1, bytes);
-      const auto number = static_cast<float>(attribute.number);
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &number, sizeof(bits));
-      AddBits(bits, bytes);
-      break;
+      continue;
     }
+    const auto number = static_cast<float>(attribute.number);
+    auto bits = static_cast<std::uint32_t>(static_cast<int>(attribute.number));
+    if (attribute.type == NetCdf::Attribute::Float)
+    {
+      std::memcpy(&bits, &number, sizeof(bits));
+    }
+    AddInteger(1, bytes);
+    AddBits(bits, bytes);
   }
 }
 }

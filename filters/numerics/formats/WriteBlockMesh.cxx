@@ -47,9 +47,7 @@ public:
         const int node = block.NodeAt(PlaceOfCorner(block, corner));
         if (this->Vertices.emplace(node, static_cast<int>(this->Vertices.size())).second)
         {
-          this->Text.Add("    ");
-          AddFoamPoint(this->Text, this->Mesh.points[Index(node)]);
-          this->Text.Add('\n');
+          this->Text.Add("    (").Add(this->Mesh.points[Index(node)]).Add(")\n");
         }
       }
     }
@@ -105,8 +103,7 @@ public:
         this->Text.Add(this->Vertices.at(nodes.back())).Add(" (");
         for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
         {
-          this->Text.Add(i == 1 ? "" : " ");
-          AddFoamPoint(this->Text, this->Mesh.points[Index(nodes[i])]);
+          this->Text.Add(i == 1 ? "(" : " (").Add(this->Mesh.points[Index(nodes[i])]).Add(')');
         }
         this->Text.Add(")\n");
       }

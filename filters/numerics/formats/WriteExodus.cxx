@@ -1,7 +1,7 @@
 #include "WriteExodus.h"
 
+#include "ElementNodes.h"
 #include "FormatNames.h"
-#include "MeshNumbering.h"
 #include "NetCdf.h"
 
 #include <array>
@@ -73,7 +73,7 @@ void AddGroups(const std::string& prefix, const std::string& dimensionName, int 
 
 /// Adds the elements of all blocks and returns the number of each cell.
 std::vector<int> AddBlocks(
-  const SolverMesh& mesh, const ElementKind& kind, const MeshNumbering& numbering, NetCdf& file)
+  const SolverMesh& mesh, const ElementKind& kind, const ElementNodes& numbering, NetCdf& file)
 {
   std::vector<int> element(mesh.region.size());
   int next = 1;
@@ -134,14 +134,14 @@ std::string WriteExodus(const SolverMesh& mesh)
   const bool isPlane = mesh.dimension == 2 && mesh.HasConstantHeight();
   const int dimension = isPlane ? 2 : 3;
   const ElementKind kind = KindOf(mesh, isPlane);
-  const MeshNumbering numbering(mesh, NodeOrder::Exodus, 1);
+  const ElementNodes numbering(mesh, NodeOrder::Exodus, 1);
   NetCdf file;
   AddHeader(file);
   const int nameLength = file.AddDimension("len_name", NameLength + 1);
   file.AddDimension("len_string", NameLength + 1);
   const int time = file.AddDimension("time_step", 0);
   const int axes = file.AddDimension("num_dim", dimension);
-  const int nodes = file.AddDimension("num_nodes", static_cast<int>(numbering.Points().size()));
+  const int nodes = file.AddDimension("num_nodes", static_cast<int>(numbering.UsedPoints().size()));
   file.AddDimension("num_elem", mesh.CellCount());
   file.AddNumbers("time_whole", { time }, {});
   std::vector<int> sizes(mesh.regionNames.size(), 0);
@@ -162,8 +162,8 @@ std::string WriteExodus(const SolverMesh& mesh)
   for (int axis = 0; axis < dimension; ++axis)
   {
     std::vector<double> values;
-    values.reserve(numbering.Points().size());
-    for (const int point : numbering.Points())
+    values.reserve(numbering.UsedPoints().size());
+    for (const int point : numbering.UsedPoints())
     {
       values.push_back(mesh.points[Index(point)][axis]);
     }

@@ -26,8 +26,7 @@ std::string WritePoints(const SolverMesh& mesh, const FoamMesh& foam)
   text.Add(static_cast<int>(foam.point.size())).Add("\n(\n");
   for (const int point : foam.point)
   {
-    AddFoamPoint(text, mesh.points[Index(point)]);
-    text.Add('\n');
+    text.Add('(').Add(mesh.points[Index(point)]).Add(")\n");
   }
   return text.Add(")\n").Take();
 }

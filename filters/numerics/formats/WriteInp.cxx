@@ -1,8 +1,8 @@
 #include "WriteInp.h"
 
+#include "ElementNodes.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "MeshNumbering.h"
 #include "MeshText.h"
 
 #include <algorithm>
@@ -24,12 +24,12 @@ void AddList(const std::vector<int>& numbers, MeshText& text)
   }
 }
 
-void AddNodes(const SolverMesh& mesh, const MeshNumbering& numbering, MeshText& text)
+void AddNodes(const SolverMesh& mesh, const ElementNodes& numbering, MeshText& text)
 {
   text.Add("*NODE, NSET=NALL\n");
-  for (std::size_t i = 0; i < numbering.Points().size(); ++i)
+  for (std::size_t i = 0; i < numbering.UsedPoints().size(); ++i)
   {
-    const Eigen::Vector3d& place = mesh.points[Index(numbering.Points()[i])];
+    const Eigen::Vector3d& place = mesh.points[Index(numbering.UsedPoints()[i])];
     text.Add(static_cast<int>(i) + 1);
     for (const double coordinate : { place.x(), place.y(), place.z() })
     {
@@ -40,7 +40,7 @@ void AddNodes(const SolverMesh& mesh, const MeshNumbering& numbering, MeshText& 
 }
 
 /// Adds the elements of the regions, first those that are not prisms.
-void AddRegions(const SolverMesh& mesh, const MeshNumbering& numbering,
+void AddRegions(const SolverMesh& mesh, const ElementNodes& numbering,
   const std::vector<std::string>& names, MeshText& text)
 {
   std::vector<int> entries;
@@ -84,7 +84,7 @@ int FaceNumber(const SolverMesh& mesh, const CellFace& face)
   return NumbersOfPrism[Index(face.face < 2 ? face.face : 2 + (face.face + 2 - collapsed) % 4)];
 }
 
-void AddSide(const SolverMesh& mesh, const MeshNumbering& numbering,
+void AddSide(const SolverMesh& mesh, const ElementNodes& numbering,
   const std::vector<CellFace>& faces, const std::string& name, MeshText& text)
 {
   std::vector<int> nodes;
@@ -145,7 +145,7 @@ std::string WriteInp(const SolverMesh& mesh)
   names.insert(names.end(), mesh.sideNames.begin(), mesh.sideNames.end());
   const std::vector<std::string> changed = FormatNames(names, rule, { "NALL" });
   const auto regions = static_cast<std::ptrdiff_t>(mesh.regionNames.size());
-  const MeshNumbering numbering(mesh, NodeOrder::Abaqus, 1);
+  const ElementNodes numbering(mesh, NodeOrder::Abaqus, 1);
   const MeshFaces faces(mesh);
   MeshText text;
   text.Add("** Mesh; for plane strain, replace CPS by CPE, for axial symmetry by CAX\n");

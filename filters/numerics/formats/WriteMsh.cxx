@@ -1,10 +1,11 @@
 #include "WriteMsh.h"
 
+#include "ElementNodes.h"
 #include "FormatNames.h"
-#include "MeshNumbering.h"
 #include "MeshText.h"
 #include "SidePairs.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <map>
@@ -29,10 +30,7 @@ constexpr int GmshPrism = 6;
 struct Elements
 {
   int type = 0;
-  std::size_t nodesOfElement = 0;
-  std::vector<int> nodes; ///< Of all elements in Gmsh's order.
-
-  std::size_t Count() const { return this->nodes.size() / this->nodesOfElement; }
+  std::vector<std::vector<int>> nodes; ///< Per element, in Gmsh's order.
 };
 
 /// The elements of one entity, a side or region.
@@ -46,23 +44,20 @@ struct Entity
   Eigen::Vector3d low = Eigen::Vector3d::Zero();
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 
-  /// Returns the nodes of the elements of a type.
-  std::vector<int>& Of(int type, std::size_t nodesOfElement)
+  void Add(int type, const std::vector<int>& nodesOfElement)
   {
-    for (Elements& ofType : this->elements)
+    auto ofType = std::find_if(this->elements.begin(), this->elements.end(),
+      [type](const Elements& candidate) { return candidate.type == type; });
+    if (ofType == this->elements.end())
     {
-      if (ofType.type == type)
-      {
-        return ofType.nodes;
-      }
+      ofType = this->elements.insert(ofType, { type, {} });
     }
-    this->elements.push_back({ type, nodesOfElement, {} });
-    return this->elements.back().nodes;
+    ofType->nodes.push_back(nodesOfElement);
   }
 };
 
 std::vector<Entity> SidesOf(const SolverMesh& mesh, const MeshFaces& faces,
-  const MeshNumbering& numbering, const std::vector<std::string>& names)
+  const ElementNodes& numbering, const std::vector<std::string>& names)
 {
   std::vector<Entity> sides;
   for (int side = 0; side < static_cast<int>(names.size()); ++side)
@@ -74,9 +69,7 @@ std::vector<Entity> SidesOf(const SolverMesh& mesh, const MeshFaces& faces,
     {
       const std::vector<int> nodes = numbering.OfFace(face);
       const bool isTriangle = mesh.dimension == 3 && nodes.size() == 3;
-      std::vector<int>& all =
-        entity.Of(isTriangle ? GmshTriangle : TypeOf(entity.dimension, mesh.order), nodes.size());
-      all.insert(all.end(), nodes.begin(), nodes.end());
+      entity.Add(isTriangle ? GmshTriangle : TypeOf(entity.dimension, mesh.order), nodes);
     }
     sides.push_back(std::move(entity));
   }
@@ -84,7 +77,7 @@ std::vector<Entity> SidesOf(const SolverMesh& mesh, const MeshFaces& faces,
 }
 
 std::vector<Entity> RegionsOf(
-  const SolverMesh& mesh, const MeshNumbering& numbering, const std::vector<std::string>& names)
+  const SolverMesh& mesh, const ElementNodes& numbering, const std::vector<std::string>& names)
 {
   std::vector<Entity> regions(names.size());
   for (std::size_t i = 0; i < regions.size(); ++i)
@@ -96,16 +89,15 @@ std::vector<Entity> RegionsOf(
   {
     const std::vector<int> nodes = numbering.OfCell(cell);
     const int type = nodes.size() == 6 ? GmshPrism : TypeOf(mesh.dimension, mesh.order);
-    std::vector<int>& all = regions[Index(mesh.region[Index(cell)])].Of(type, nodes.size());
-    all.insert(all.end(), nodes.begin(), nodes.end());
+    regions[Index(mesh.region[Index(cell)])].Add(type, nodes);
   }
   return regions;
 }
 
 /// Sets the tags of entities and gives each node to the first one that has it.
-void Complete(const SolverMesh& mesh, const MeshNumbering& numbering, std::vector<Entity>& entities)
+void Complete(const SolverMesh& mesh, const ElementNodes& numbering, std::vector<Entity>& entities)
 {
-  std::vector<bool> isTaken(numbering.Points().size(), false);
+  std::vector<bool> isTaken(numbering.UsedPoints().size(), false);
   int tag = 0;
   for (Entity& entity : entities)
   {
@@ -115,15 +107,19 @@ void Complete(const SolverMesh& mesh, const MeshNumbering& numbering, std::vecto
     entity.high.setConstant(-infinity);
     for (const Elements& ofType : entity.elements)
     {
-      for (const int node : ofType.nodes)
+      for (const std::vector<int>& element : ofType.nodes)
       {
-        const Eigen::Vector3d& place = mesh.points[Index(numbering.Points()[Index(node - 1)])];
-        entity.low = entity.low.cwiseMin(place).eval();
-        entity.high = entity.high.cwiseMax(place).eval();
-        if (!isTaken[Index(node - 1)])
+        for (const int node : element)
         {
-          isTaken[Index(node - 1)] = true;
-          entity.nodes.push_back(node);
+          const Eigen::Vector3d& place =
+            mesh.points[Index(numbering.UsedPoints()[Index(node - 1)])];
+          entity.low = entity.low.cwiseMin(place).eval();
+          entity.high = entity.high.cwiseMax(place).eval();
+          if (!isTaken[Index(node - 1)])
+          {
+            isTaken[Index(node - 1)] = true;
+            entity.nodes.push_back(node);
+          }
         }
       }
     }
@@ -149,21 +145,18 @@ void AddBlocks(std::size_t blocks, int count, MeshText& text)
 /// Adds the elements of one type, each after `prefix`.
 void AddElements(const Elements& elements, const std::string& prefix, int& number, MeshText& text)
 {
-  for (std::size_t i = 0; i < elements.nodes.size(); ++i)
+  for (const std::vector<int>& nodes : elements.nodes)
   {
-    if (i % elements.nodesOfElement == 0)
+    text.Add(++number).Add(prefix);
+    for (const int node : nodes)
     {
-      text.Add(++number).Add(prefix);
+      text.Add(' ').Add(node);
     }
-    text.Add(' ').Add(elements.nodes[i]);
-    if ((i + 1) % elements.nodesOfElement == 0)
-    {
-      text.Add('\n');
-    }
+    text.Add('\n');
   }
 }
 
-void AddVersion41(const SolverMesh& mesh, const MeshNumbering& numbering,
+void AddVersion41(const SolverMesh& mesh, const ElementNodes& numbering,
   const std::vector<Entity>& entities, int elements, MeshText& text)
 {
   std::array<int, 4> counts{}; // per dimension
@@ -171,13 +164,8 @@ void AddVersion41(const SolverMesh& mesh, const MeshNumbering& numbering,
   {
     ++counts[Index(entity.dimension)];
   }
-  text.Add("$Entities\n0 ")
-    .Add(counts[1])
-    .Add(' ')
-    .Add(counts[2])
-    .Add(' ')
-    .Add(counts[3])
-    .Add('\n');
+  text.Add("$Entities\n0 ").Add(counts[1]).Add(' ').Add(counts[2]).Add(' ');
+  text.Add(counts[3]).Add('\n');
   for (const Entity& entity : entities)
   {
     text.Add(entity.tag).Add(' ');
@@ -187,7 +175,7 @@ void AddVersion41(const SolverMesh& mesh, const MeshNumbering& numbering,
     text.Add(" 1 ").Add(entity.tag).Add(" 0\n"); // one physical group, no entities around it
   }
   text.Add("$EndEntities\n$Nodes\n");
-  AddBlocks(entities.size(), static_cast<int>(numbering.Points().size()), text);
+  AddBlocks(entities.size(), static_cast<int>(numbering.UsedPoints().size()), text);
   for (const Entity& entity : entities)
   {
     text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(" 0 ");
@@ -198,7 +186,7 @@ void AddVersion41(const SolverMesh& mesh, const MeshNumbering& numbering,
     }
     for (const int node : entity.nodes)
     {
-      text.Add(mesh.points[Index(numbering.Points()[Index(node - 1)])]);
+      text.Add(mesh.points[Index(numbering.UsedPoints()[Index(node - 1)])]);
       text.Add('\n');
     }
   }
@@ -215,21 +203,21 @@ void AddVersion41(const SolverMesh& mesh, const MeshNumbering& numbering,
     for (const Elements& ofType : entity.elements)
     {
       text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(' ').Add(ofType.type).Add(' ');
-      text.Add(static_cast<int>(ofType.Count())).Add('\n');
+      text.Add(static_cast<int>(ofType.nodes.size())).Add('\n');
       AddElements(ofType, "", number, text);
     }
   }
   text.Add("$EndElements\n");
 }
 
-void AddVersion22(const SolverMesh& mesh, const MeshNumbering& numbering,
+void AddVersion22(const SolverMesh& mesh, const ElementNodes& numbering,
   const std::vector<Entity>& entities, int elements, MeshText& text)
 {
-  text.Add("$Nodes\n").Add(static_cast<int>(numbering.Points().size())).Add('\n');
-  for (std::size_t i = 0; i < numbering.Points().size(); ++i)
+  text.Add("$Nodes\n").Add(static_cast<int>(numbering.UsedPoints().size())).Add('\n');
+  for (std::size_t i = 0; i < numbering.UsedPoints().size(); ++i)
   {
     text.Add(static_cast<int>(i) + 1).Add(' ');
-    text.Add(mesh.points[Index(numbering.Points()[i])]);
+    text.Add(mesh.points[Index(numbering.UsedPoints()[i])]);
     text.Add('\n');
   }
   text.Add("$EndNodes\n$Elements\n").Add(elements).Add('\n');
@@ -246,7 +234,7 @@ void AddVersion22(const SolverMesh& mesh, const MeshNumbering& numbering,
 }
 
 /// Adds the pairs of periodic sides; the second side is the image of the first, Gmsh's master.
-void AddPeriodic(const SolverMesh& mesh, const MeshFaces& faces, const MeshNumbering& numbering,
+void AddPeriodic(const SolverMesh& mesh, const MeshFaces& faces, const ElementNodes& numbering,
   MshVersion version, MeshText& text)
 {
   if (mesh.pairs.empty())
@@ -279,7 +267,7 @@ std::string WriteMsh(const SolverMesh& mesh, MshVersion version)
   NameRule rule;
   rule.isPlain = false;
   rule.longest = 127; // Gmsh's own limit
-  const MeshNumbering numbering(mesh, NodeOrder::Gmsh, 1);
+  const ElementNodes numbering(mesh, NodeOrder::Gmsh, 1);
   const MeshFaces faces(mesh);
   std::vector<Entity> entities = SidesOf(mesh, faces, numbering, FormatNames(mesh.sideNames, rule));
   for (Entity& region : RegionsOf(mesh, numbering, FormatNames(mesh.regionNames, rule)))

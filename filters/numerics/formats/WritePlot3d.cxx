@@ -74,7 +74,9 @@ std::string WritePlot3d(const SolverMesh& mesh)
 
 std::string WriteNmf(const SolverMesh& mesh)
 {
-  const BlockFaces faces = FindBlockFaces(mesh);
+  const MeshFaces ofMesh(mesh);
+  ofMesh.RequireNoInnerSides(".xyz");
+  const BlockFaces faces = FindBlockFaces(mesh, ofMesh);
   MeshText text;
   text.Add("# Neutral map file\n# Block IDIM JDIM KDIM\n");
   text.Add(static_cast<int>(mesh.blocks.size())).Add('\n');

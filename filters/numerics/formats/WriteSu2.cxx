@@ -1,8 +1,8 @@
 #include "WriteSu2.h"
 
+#include "ElementNodes.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "MeshNumbering.h"
 #include "MeshText.h"
 
 namespace crossfield
@@ -38,7 +38,7 @@ std::string WriteSu2(const SolverMesh& mesh)
 {
   const MeshFaces faces(mesh);
   RequirePossible(mesh, faces);
-  const MeshNumbering numbering(mesh, NodeOrder::Vtk, 0);
+  const ElementNodes numbering(mesh, NodeOrder::Vtk, 0);
   MeshText text;
   const auto addElement = [&text](int type, const std::vector<int>& nodes)
   {
@@ -55,10 +55,10 @@ std::string WriteSu2(const SolverMesh& mesh)
     addElement(nodes.size() == 4 ? Quad : nodes.size() == 6 ? Wedge : Hexahedron, nodes);
     text.Add(' ').Add(cell).Add('\n');
   }
-  text.Add("NPOIN= ").Add(static_cast<int>(numbering.Points().size())).Add('\n');
-  for (std::size_t i = 0; i < numbering.Points().size(); ++i)
+  text.Add("NPOIN= ").Add(static_cast<int>(numbering.UsedPoints().size())).Add('\n');
+  for (std::size_t i = 0; i < numbering.UsedPoints().size(); ++i)
   {
-    const Eigen::Vector3d& place = mesh.points[Index(numbering.Points()[i])];
+    const Eigen::Vector3d& place = mesh.points[Index(numbering.UsedPoints()[i])];
     text.Add(place.x()).Add(' ').Add(place.y()).Add(' ');
     if (mesh.dimension == 3)
     {

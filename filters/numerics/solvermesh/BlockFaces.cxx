@@ -2,7 +2,6 @@
 
 #include "Error.h"
 #include "Index.h"
-#include "MeshFaces.h"
 
 #include <algorithm>
 #include <utility>
@@ -33,8 +32,9 @@ using Place = std::array<int, 2>; // column and row of a face or a point
 class Finder
 {
 public:
-  explicit Finder(const SolverMesh& mesh)
+  Finder(const SolverMesh& mesh, const MeshFaces& faces)
     : Mesh(mesh)
+    , Faces(faces)
     , IsFlat(mesh.dimension == 2)
   {
     this->AddSides();
@@ -44,40 +44,35 @@ public:
   BlockFaces Find()
   {
     BlockFaces faces;
-    for (const Side& side : this->Sides)
+    for (std::size_t face = 0; face < this->SideOf.size(); ++face)
     {
-      for (int row = 0; row < side.size[1]; ++row)
+      const Side& side = this->Sides[Index(this->SideOf[face])];
+      const Place begin = this->PlaceOfFace(static_cast<int>(face));
+      if (this->Taken[face])
       {
-        for (int column = 0; column < side.size[0]; ++column)
+        continue;
+      }
+      if (this->Partner[face] >= 0)
+      {
+        faces.connections.push_back(this->Connect(side, begin));
+        continue;
+      }
+      const int label = this->Label[face];
+      const Place end = this->Grow(side, begin,
+        [&](const Place& place)
         {
-          const int face = At(side, { column, row });
-          if (this->Taken[Index(face)])
-          {
-            continue;
-          }
-          if (this->Partner[Index(face)] >= 0)
-          {
-            faces.connections.push_back(this->Connect(side, { column, row }));
-            continue;
-          }
-          const int label = this->Label[Index(face)];
-          const Place end = this->Grow(side, { column, row },
-            [&](const Place& place)
-            {
-              const std::size_t other = Index(At(side, place));
-              return !this->Taken[other] && this->Partner[other] < 0 && this->Label[other] == label;
-            });
-          this->Take(side, { column, row }, end);
-          const BlockRange range = this->RangeOf(side, { column, row }, end);
-          if (label == Collapsed)
-          {
-            faces.collapsed.push_back(range);
-          }
-          else
-          {
-            faces.patches.push_back({ range, label });
-          }
-        }
+          const std::size_t other = Index(At(side, place));
+          return !this->Taken[other] && this->Partner[other] < 0 && this->Label[other] == label;
+        });
+      this->Take(side, begin, end);
+      const BlockRange range = this->RangeOf(side, begin, end);
+      if (label == Collapsed)
+      {
+        faces.collapsed.push_back(range);
+      }
+      else
+      {
+        faces.patches.push_back({ range, label });
       }
     }
     return faces;
@@ -157,22 +152,16 @@ private:
   void Match()
   {
     std::vector<std::pair<MeshFaces::Key, int>> faces;
-    for (const Side& side : this->Sides)
+    for (int face = 0; face < static_cast<int>(this->SideOf.size()); ++face)
     {
-      for (int row = 0; row < side.size[1]; ++row)
+      const MeshFaces::Key key =
+        this->KeyOf(this->Sides[Index(this->SideOf[Index(face)])], this->PlaceOfFace(face));
+      if (!this->IsCollapsed(key))
       {
-        for (int column = 0; column < side.size[0]; ++column)
-        {
-          const MeshFaces::Key key = this->KeyOf(side, { column, row });
-          if (!this->IsCollapsed(key))
-          {
-            faces.emplace_back(key, At(side, { column, row }));
-          }
-        }
+        faces.emplace_back(key, face);
       }
     }
     std::sort(faces.begin(), faces.end());
-    const MeshFaces ofMesh(this->Mesh);
     for (std::size_t i = 0, end = 0; i < faces.size(); i = end)
     {
       const MeshFaces::Key& key = faces[i].first;
@@ -180,7 +169,7 @@ private:
       {
         ++end;
       }
-      const int side = ofMesh.SideOf(key);
+      const int side = this->Faces.SideOf(key);
       const bool isInside = end - i == 2;
       if (end - i > 2 || isInside != (side < 0))
       {
@@ -192,7 +181,6 @@ private:
       this->Partner[Index(faces[i].second)] = isInside ? faces[i + 1].second : -1;
       this->Partner[Index(faces[end - 1].second)] = isInside ? faces[i].second : -1;
     }
-    ofMesh.RequireNoInnerSides("of blocks");
   }
 
   std::string PlaceOfKey(const MeshFaces::Key& key) const
@@ -339,6 +327,7 @@ private:
   }
 
   const SolverMesh& Mesh;
+  const MeshFaces& Faces;
   bool IsFlat;
   std::vector<Side> Sides;
   std::vector<int> SideOf;  ///< Per face, its side.
@@ -350,8 +339,8 @@ private:
 };
 }
 
-BlockFaces FindBlockFaces(const SolverMesh& mesh)
+BlockFaces FindBlockFaces(const SolverMesh& mesh, const MeshFaces& faces)
 {
-  return Finder(mesh).Find();
+  return Finder(mesh, faces).Find();
 }
 }

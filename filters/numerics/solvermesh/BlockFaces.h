@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SolverMesh.h"
+#include "MeshFaces.h"
 
 #include <array>
 #include <vector>
@@ -45,7 +45,7 @@ struct BlockFaces
 /// Finds the connections and patches of the blocks of a mesh. Every face of a cell on a side of a block
 /// is in one of them; the rectangles are as large as possible from their first corner.
 ///
-/// Blocks are valid (RequireBlocks). Throws Error if a face belongs to more than two blocks, or to one and to no
-/// side, or a side of the mesh is not on the boundary of the blocks.
-BlockFaces FindBlockFaces(const SolverMesh& mesh);
+/// Blocks are valid (RequireBlocks), and `faces` are those of the mesh. Throws Error if a face belongs to more than
+/// two blocks, the boundary of the blocks is not that of the cells, or faces of blocks are twisted.
+BlockFaces FindBlockFaces(const SolverMesh& mesh, const MeshFaces& faces);
 }

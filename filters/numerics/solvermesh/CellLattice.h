@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 namespace crossfield
@@ -16,7 +15,7 @@ enum class NodeOrder
 };
 
 /// Positions in the lattice of nodes of a line, quad or hexahedron (SolverMesh.h), and their order in the
-/// formats.
+/// formats. Lines and quads have order 1 to 3, hexahedra 1 or 2.
 class CellLattice
 {
 public:
@@ -34,24 +33,13 @@ public:
   /// edge of a quad has the quad on its left. Faces are numbered as in Abaqus, from 0.
   std::vector<int> Face(int face) const;
 
-  /// Returns the positions of the corners of a face in VTK's order.
+  /// Returns the positions of the corners of a face, around it and outwards.
   std::vector<int> FaceCorners(int face) const;
 
-  /// Returns the positions of the nodes in the order of a format. Lines, quads of order 1 to 3 (those of Abaqus,
-  /// EnSight and Exodus 1 or 2) and hexahedra of order 1 or 2.
-  std::vector<int> OrderFor(NodeOrder order) const;
+  /// Returns the positions of the nodes in the order of a format; Abaqus and EnSight have none of order 3.
+  std::vector<int> OrderFor(NodeOrder format) const;
 
 private:
-  using Place = std::array<int, 3>;
-  Place CornerPlace(int corner) const;
-  int At(const Place& place) const;
-  int Middle(const std::vector<int>& corners) const;
-  std::vector<int> OrderOfLine(NodeOrder order) const;
-  std::vector<int> OrderOfQuad(NodeOrder order) const;
-  std::vector<int> OrderOfHexahedron(NodeOrder order) const;
-  /// Adds the square of nodes from `low` to `high` in both directions, and those inside it.
-  void AddSquare(int low, int high, std::vector<int>& positions) const;
-
   int Dimension;
   int Order;
 };

@@ -1,5 +1,6 @@
 #include "CutBlocks.h"
 
+#include "BlockFaces.h"
 #include "MeshBlocks.h"
 
 #include <Eigen/Geometry>
@@ -63,6 +64,19 @@ public:
       });
   }
 
+  /// Cuts a block in the middle, or counts that it has too few cells for it.
+  void Halve(std::size_t block, int direction)
+  {
+    const int cells = this->Blocks[block].cells[Index(direction)];
+    if (cells < 2)
+    {
+      ++this->TooShort;
+      return;
+    }
+    this->Add(block, direction, cells / 2);
+    ++this->Halvings;
+  }
+
   /// Cuts blocks where their neighbours are cut.
   void Spread()
   {
@@ -92,12 +106,16 @@ public:
     }
   }
 
+  int CountHalvings() const { return this->Halvings; }
+  int CountTooShort() const { return this->TooShort; }
+
   std::vector<MeshBlock> Pieces() const
   {
     std::vector<MeshBlock> pieces;
     for (std::size_t b = 0; b < this->Blocks.size(); ++b)
     {
       std::array<std::vector<int>, Directions> at;
+      std::array<int, 3> last{};
       for (std::size_t d = 0; d < at.size(); ++d)
       {
         for (int t = 0; t <= this->Blocks[b].cells[d]; ++t)
@@ -107,18 +125,20 @@ public:
             at[d].push_back(t);
           }
         }
+        last[d] = static_cast<int>(at[d].size()) - 2;
       }
-      for (std::size_t k = 0; k + 1 < at[2].size(); ++k)
-      {
-        for (std::size_t j = 0; j + 1 < at[1].size(); ++j)
+      ForEachIndex({ 0, 0, 0 }, last,
+        [&](const std::array<int, 3>& index)
         {
-          for (std::size_t i = 0; i + 1 < at[0].size(); ++i)
+          std::array<int, 3> low{};
+          std::array<int, 3> high{};
+          for (std::size_t d = 0; d < at.size(); ++d)
           {
-            pieces.push_back(Piece(this->Blocks[b], { at[0][i], at[1][j], at[2][k] },
-              { at[0][i + 1], at[1][j + 1], at[2][k + 1] }));
+            low[d] = at[d][Index(index[d])];
+            high[d] = at[d][Index(index[d]) + 1];
           }
-        }
-      }
+          pieces.push_back(Piece(this->Blocks[b], low, high));
+        });
     }
     return pieces;
   }
@@ -128,70 +148,17 @@ private:
     const MeshBlock& block, const std::array<int, 3>& low, const std::array<int, 3>& high)
   {
     MeshBlock piece{ { high[0] - low[0], high[1] - low[1], high[2] - low[2] }, {} };
-    for (int k = low[2]; k <= high[2]; ++k)
-    {
-      for (int j = low[1]; j <= high[1]; ++j)
-      {
-        for (int i = low[0]; i <= high[0]; ++i)
-        {
-          piece.nodes.push_back(block.NodeAt({ i, j, k }));
-        }
-      }
-    }
+    ForEachIndex(low, high,
+      [&](const std::array<int, 3>& index) { piece.nodes.push_back(block.NodeAt(index)); });
     return piece;
   }
 
   const std::vector<MeshBlock>& Blocks;
   std::vector<std::array<std::vector<bool>, Directions>> Cuts;
   std::vector<bool> IsVertex;
+  int Halvings = 0;
+  int TooShort = 0;
 };
-
-/// Cuts blocks where the side changes along one of their faces.
-void CutAtSides(
-  const std::vector<MeshBlock>& blocks, const MeshFaces& faces, int directions, BlockCuts& cuts)
-{
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-  {
-    const MeshBlock& block = blocks[b];
-    for (int d = 0; d < 2 * directions; ++d)
-    {
-      const int normal = d / 2;
-      const int first = (normal + 1) % Directions;
-      const int second = (normal + 2) % Directions;
-      std::array<int, 3> place{};
-      place[Index(normal)] = d % 2 == 0 ? 0 : block.cells[Index(normal)];
-      const auto sideAt = [&](int a, int c)
-      {
-        std::array<int, 4> corners{};
-        for (int corner = 0; corner < 4; ++corner)
-        {
-          place[Index(first)] = a + (corner == 1 || corner == 2 ? 1 : 0);
-          place[Index(second)] = c + corner / 2;
-          corners[Index(corner)] = block.NodeAt(place);
-        }
-        return faces.SideOf(MeshFaces::MakeKey(corners.data(), corners.size()));
-      };
-      std::vector<int> before;
-      for (int a = 0; a < block.cells[Index(first)]; ++a)
-      {
-        std::vector<int> row;
-        for (int c = 0; c < block.cells[Index(second)]; ++c)
-        {
-          row.push_back(sideAt(a, c));
-          if (c > 0 && row[Index(c)] != row[Index(c - 1)])
-          {
-            cuts.Add(b, second, c);
-          }
-        }
-        if (a > 0 && row != before)
-        {
-          cuts.Add(b, first, a);
-        }
-        before = row;
-      }
-    }
-  }
-}
 
 /// Returns the largest length of an edge along a direction over its chord.
 double CurvatureAlong(const SolverMesh& mesh, const MeshBlock& block, int direction)
@@ -245,19 +212,16 @@ bool IsFolded(const SolverMesh& mesh, const MeshBlock& block)
   return false;
 }
 
-/// Cuts folded blocks in the middle, across the direction along which they are most curved. Returns and sets the
-/// same as CutAmbiguousEdges.
-int CutFoldedBlocks(
-  const SolverMesh& mesh, const std::vector<MeshBlock>& blocks, BlockCuts& cuts, bool& isNew)
+/// Cuts folded blocks in the middle, across the direction along which they are most curved.
+void CutFoldedBlocks(const SolverMesh& mesh, const std::vector<MeshBlock>& blocks, BlockCuts& cuts)
 {
-  int tooShort = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     if (!IsFolded(mesh, blocks[b]))
     {
       continue;
     }
-    int direction = -1;
+    int direction = 0; // too short if all are
     double largest = 0.0;
     for (int d = 0; d < Directions; ++d)
     {
@@ -268,23 +232,14 @@ int CutFoldedBlocks(
         direction = d;
       }
     }
-    if (direction < 0)
-    {
-      ++tooShort;
-      continue;
-    }
-    cuts.Add(b, direction, blocks[b].cells[Index(direction)] / 2);
-    isNew = true;
+    cuts.Halve(b, direction);
   }
-  return tooShort;
 }
 
-/// Cuts edges in the middle whose ends are those of another edge or one node. Returns the number of
-/// edges that are too short for it, and sets `isNew` if there are cuts.
-int CutAmbiguousEdges(const std::vector<MeshBlock>& blocks, BlockCuts& cuts, bool& isNew)
+/// Cuts edges in the middle whose ends are those of another edge or one node.
+void CutAmbiguousEdges(const std::vector<MeshBlock>& blocks, BlockCuts& cuts)
 {
   std::map<std::pair<int, int>, std::vector<int>> edges;
-  int tooShort = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     for (int d = 0; d < Directions; ++d)
@@ -305,22 +260,13 @@ int CutAmbiguousEdges(const std::vector<MeshBlock>& blocks, BlockCuts& cuts, boo
           }
           const auto [edge, isFirst] =
             edges.emplace(std::make_pair(nodes.front(), nodes.back()), nodes);
-          if (nodes.front() != nodes.back() && (isFirst || edge->second == nodes))
+          if (nodes.front() == nodes.back() || (!isFirst && edge->second != nodes))
           {
-            return;
+            cuts.Halve(b, d);
           }
-          const int cells = blocks[b].cells[Index(d)];
-          if (cells < 2)
-          {
-            ++tooShort;
-            return;
-          }
-          cuts.Add(b, d, cells / 2);
-          isNew = true;
         });
     }
   }
-  return tooShort;
 }
 }
 
@@ -331,25 +277,32 @@ std::vector<MeshBlock> CutBlocks(const SolverMesh& mesh, const MeshFaces& faces)
     return {};
   }
   BlockCuts first(mesh.blocks, mesh.points.size());
-  // The ends of a sweep are sides as a whole.
-  CutAtSides(mesh.blocks, faces, mesh.sweep.layers > 0 ? 2 : Directions, first);
+  for (const BlockPatch& patch : FindBlockFaces(mesh, faces).patches)
+  {
+    for (int d = 0; d < Directions; ++d)
+    {
+      first.Add(Index(patch.range.block), d, patch.range.begin[Index(d)]);
+      first.Add(Index(patch.range.block), d, patch.range.end[Index(d)]);
+    }
+  }
   first.Spread();
   std::vector<MeshBlock> blocks = first.Pieces();
   constexpr int MostHalvings = 6; // a spiral of 32 turns; more are needed if cells are inverted
-  bool isNew = true;
-  for (int halving = 0; isNew; ++halving)
+  for (int halving = 0;; ++halving)
   {
     BlockCuts cuts(blocks, mesh.points.size());
-    isNew = false;
-    const int tooShort =
-      CutAmbiguousEdges(blocks, cuts, isNew) + CutFoldedBlocks(mesh, blocks, cuts, isNew);
-    if (tooShort > 0 || (isNew && halving == MostHalvings))
+    CutAmbiguousEdges(blocks, cuts);
+    CutFoldedBlocks(mesh, blocks, cuts);
+    if (cuts.CountTooShort() > 0 || (cuts.CountHalvings() > 0 && halving == MostHalvings))
     {
       return {};
+    }
+    if (cuts.CountHalvings() == 0)
+    {
+      return blocks;
     }
     cuts.Spread();
     blocks = cuts.Pieces();
   }
-  return blocks;
 }
 }

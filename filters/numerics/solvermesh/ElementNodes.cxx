@@ -23,23 +23,56 @@ ElementNodes::ElementNodes(const SolverMesh& mesh, NodeOrder order)
       this->FacePositions.back().push_back(all[Index(position)]);
     }
   }
+  std::vector<bool> isUsed(mesh.points.size(), false);
+  for (int cell = 0; cell < mesh.CellCount(); ++cell)
+  {
+    for (const int position : this->Positions)
+    {
+      isUsed[Index(mesh.Cell(cell)[position])] = true;
+    }
+  }
+  for (int point = 0; point < static_cast<int>(isUsed.size()); ++point)
+  {
+    this->Numbers.push_back(point);
+    if (isUsed[Index(point)])
+    {
+      this->Used.push_back(point);
+    }
+  }
+}
+
+ElementNodes::ElementNodes(const SolverMesh& mesh, NodeOrder order, int first)
+  : ElementNodes(mesh, order)
+{
+  std::fill(this->Numbers.begin(), this->Numbers.end(), -1);
+  for (const int point : this->Used)
+  {
+    this->Numbers[Index(point)] = first++;
+  }
+}
+
+std::vector<int> ElementNodes::NodesAt(int cell, const std::vector<int>& positions) const
+{
+  const int* nodes = this->Mesh.Cell(cell);
+  std::vector<int> numbers;
+  numbers.reserve(positions.size());
+  for (const int position : positions)
+  {
+    numbers.push_back(this->NumberOf(nodes[position]));
+  }
+  return numbers;
 }
 
 std::vector<int> ElementNodes::OfCell(int cell) const
 {
-  const int* nodes = this->Mesh.Cell(cell);
-  std::vector<int> points;
-  for (const int position : this->Positions)
-  {
-    points.push_back(nodes[position]);
-  }
+  std::vector<int> nodes = this->NodesAt(cell, this->Positions);
   const int collapsed = this->HasPrisms ? this->Mesh.CollapsedEdge(cell) : -1;
   if (collapsed < 0)
   {
-    return points;
+    return nodes;
   }
-  const auto bottom = [&](int i) { return points[Index((collapsed + i) % 4)]; };
-  const auto top = [&](int i) { return points[Index(4 + (collapsed + i) % 4)]; };
+  const auto bottom = [&](int i) { return nodes[Index((collapsed + i) % 4)]; };
+  const auto top = [&](int i) { return nodes[Index(4 + (collapsed + i) % 4)]; };
   if (this->Order == NodeOrder::Vtk)
   {
     return { bottom(0), top(3), bottom(3), bottom(1), top(2), bottom(2) };
@@ -49,42 +82,15 @@ std::vector<int> ElementNodes::OfCell(int cell) const
 
 std::vector<int> ElementNodes::OfFace(const CellFace& face) const
 {
-  const int* nodes = this->Mesh.Cell(face.cell);
-  std::vector<int> points;
-  for (const int position : this->FacePositions[Index(face.face)])
-  {
-    points.push_back(nodes[position]);
-  }
+  std::vector<int> nodes = this->NodesAt(face.cell, this->FacePositions[Index(face.face)]);
   if (this->HasPrisms)
   {
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    if (points.size() > 1 && points.front() == points.back())
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    if (nodes.size() > 1 && nodes.front() == nodes.back())
     {
-      points.pop_back();
+      nodes.pop_back();
     }
   }
-  return points;
-}
-
-std::vector<int> ElementNodes::UsedPoints() const
-{
-  std::vector<bool> isUsed(this->Mesh.points.size(), false);
-  for (int cell = 0; cell < this->Mesh.CellCount(); ++cell)
-  {
-    const int* nodes = this->Mesh.Cell(cell);
-    for (const int position : this->Positions)
-    {
-      isUsed[Index(nodes[position])] = true;
-    }
-  }
-  std::vector<int> points;
-  for (std::size_t point = 0; point < isUsed.size(); ++point)
-  {
-    if (isUsed[point])
-    {
-      points.push_back(static_cast<int>(point));
-    }
-  }
-  return points;
+  return nodes;
 }
 }

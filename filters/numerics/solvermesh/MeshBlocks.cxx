@@ -49,26 +49,20 @@ double SignedSize(const SolverMesh& mesh, const MeshBlock& block)
 {
   double size = 0.0;
   const bool isFlat = mesh.dimension == 2;
-  std::array<int, 3> at{};
-  for (at[2] = 0; at[2] < (isFlat ? 1 : block.cells[2]); ++at[2])
-  {
-    for (at[1] = 0; at[1] < block.cells[1]; ++at[1])
+  const std::array<int, 3> last = { block.cells[0] - 1, block.cells[1] - 1,
+    isFlat ? 0 : block.cells[2] - 1 };
+  ForEachIndex({ 0, 0, 0 }, last,
+    [&](const std::array<int, 3>& at)
     {
-      for (at[0] = 0; at[0] < block.cells[0]; ++at[0])
-      {
-        const auto corner = [&](int i, int j, int k) -> const Eigen::Vector3d&
-        {
-          const std::array<int, 3> index = { at[0] + i, at[1] + j, at[2] + k };
-          return mesh.points[Index(block.nodes[block.PlaceOf(index)])];
-        };
-        const Eigen::Vector3d normal =
-          (corner(1, 1, 0) - corner(0, 0, 0)).cross(corner(0, 1, 0) - corner(1, 0, 0));
-        size += isFlat
-          ? normal.z()
-          : normal.dot(corner(0, 0, 1) + corner(1, 1, 1) - corner(0, 0, 0) - corner(1, 1, 0));
-      }
-    }
-  }
+      const auto corner = [&](int i, int j, int k) -> const Eigen::Vector3d& {
+        return mesh.points[Index(block.NodeAt({ at[0] + i, at[1] + j, at[2] + k }))];
+      };
+      const Eigen::Vector3d normal =
+        (corner(1, 1, 0) - corner(0, 0, 0)).cross(corner(0, 1, 0) - corner(1, 0, 0));
+      size += isFlat
+        ? normal.z()
+        : normal.dot(corner(0, 0, 1) + corner(1, 1, 1) - corner(0, 0, 0) - corner(1, 1, 0));
+    });
   return size;
 }
 
@@ -76,28 +70,21 @@ void Transpose(MeshBlock& block)
 {
   MeshBlock turned = block;
   std::swap(turned.cells[0], turned.cells[1]);
-  std::array<int, 3> at{};
-  for (at[2] = 0; at[2] <= block.cells[2]; ++at[2])
-  {
-    for (at[1] = 0; at[1] <= block.cells[1]; ++at[1])
-    {
-      for (at[0] = 0; at[0] <= block.cells[0]; ++at[0])
-      {
-        turned.nodes[turned.PlaceOf({ at[1], at[0], at[2] })] = block.nodes[block.PlaceOf(at)];
-      }
-    }
-  }
+  ForEachIndex({ 0, 0, 0 }, block.cells,
+    [&](const std::array<int, 3>& at) {
+      turned.nodes[turned.PlaceOf({ at[1], at[0], at[2] })] = block.NodeAt(at);
+    });
   block = std::move(turned);
 }
 }
 
 std::vector<MeshBlock> GatherBlocks(const SolverMesh& mesh, const std::vector<BlockPlace>& places)
 {
-  const bool isFlat = mesh.dimension == 2;
   std::vector<MeshBlock> blocks;
-  std::vector<std::size_t> cellsInBlock;
-  for (const BlockPlace& place : places)
+  std::vector<std::vector<std::size_t>> cellsOf; // per block
+  for (std::size_t cell = 0; cell < places.size(); ++cell)
   {
+    const BlockPlace& place = places[cell];
     if (place.block < 0 || Index(place.block) >= places.size() ||
       *std::min_element(place.index.begin(), place.index.end()) < 0)
     {
@@ -106,32 +93,24 @@ std::vector<MeshBlock> GatherBlocks(const SolverMesh& mesh, const std::vector<Bl
     if (Index(place.block) >= blocks.size())
     {
       blocks.resize(Index(place.block) + 1, { { 0, 0, 0 }, {} });
-      cellsInBlock.resize(blocks.size(), 0);
+      cellsOf.resize(blocks.size());
     }
-    std::array<int, 3>& cells = blocks[Index(place.block)].cells;
-    for (std::size_t i = 0; i < (isFlat ? 2U : 3U); ++i)
+    for (std::size_t d = 0; d < Index(mesh.dimension); ++d)
     {
-      cells[i] = std::max(cells[i], place.index[i] + 1);
+      int& count = blocks[Index(place.block)].cells[d];
+      count = std::max(count, place.index[d] + 1);
     }
-    ++cellsInBlock[Index(place.block)];
+    cellsOf[Index(place.block)].push_back(cell);
   }
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
-    const std::array<int, 3>& cells = blocks[b].cells;
-    const std::size_t layers = isFlat ? 1 : Index(cells[2]);
-    if (cellsInBlock[b] == 0 || Index(cells[0]) * Index(cells[1]) * layers != cellsInBlock[b])
+    const std::array<int, 3>& n = blocks[b].cells;
+    const std::size_t layers = mesh.dimension == 2 ? 1 : Index(n[2]);
+    if (cellsOf[b].empty() || Index(n[0]) * Index(n[1]) * layers != cellsOf[b].size())
     {
       return {};
     }
-    blocks[b].nodes.assign(Index(cells[0] + 1) * Index(cells[1] + 1) * Index(cells[2] + 1), -1);
-  }
-  std::vector<std::vector<std::size_t>> cellsOf(blocks.size());
-  for (std::size_t cell = 0; cell < places.size(); ++cell)
-  {
-    cellsOf[Index(places[cell].block)].push_back(cell);
-  }
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-  {
+    blocks[b].nodes.resize(Index(n[0] + 1) * Index(n[1] + 1) * Index(n[2] + 1));
     int turn = 0;
     while (turn < Turns && !Fill(mesh, places, cellsOf[b], turn, blocks[b]))
     {

@@ -62,16 +62,6 @@ MeshFaces::Key MeshFaces::KeyOf(std::size_t face) const
   return MakeKey(corners.data(), positions.size());
 }
 
-CellFace MeshFaces::FaceOf(std::size_t face) const
-{
-  return { static_cast<int>(face / this->FacesOfCell), static_cast<int>(face % this->FacesOfCell) };
-}
-
-std::size_t MeshFaces::NumberOf(const CellFace& face) const
-{
-  return Index(face.cell) * this->FacesOfCell + Index(face.face);
-}
-
 std::vector<std::size_t> MeshFaces::Find(const Key& key) const
 {
   std::vector<std::size_t> found;

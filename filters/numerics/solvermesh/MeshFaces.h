@@ -39,8 +39,15 @@ public:
 
   std::size_t Count() const { return this->Faces.size(); }
   Key KeyOf(std::size_t face) const;
-  CellFace FaceOf(std::size_t face) const;
-  std::size_t NumberOf(const CellFace& face) const;
+  CellFace FaceOf(std::size_t face) const
+  {
+    return { static_cast<int>(face / this->FacesOfCell),
+      static_cast<int>(face % this->FacesOfCell) };
+  }
+  std::size_t NumberOf(const CellFace& face) const
+  {
+    return Index(face.cell) * this->FacesOfCell + Index(face.face);
+  }
 
   /// Returns another face with the same corners, or one of Partners.
   int PartnerOf(std::size_t face) const { return this->PartnerOfFace[face]; }

@@ -1,6 +1,6 @@
 #include "SidePairs.h"
 
-#include "CellLattice.h"
+#include "ElementNodes.h"
 #include "Error.h"
 #include "NodeImages.h"
 
@@ -12,14 +12,12 @@ namespace
 {
 std::vector<int> PointsOf(const SolverMesh& mesh, const std::vector<CellFace>& faces)
 {
-  const CellLattice lattice(mesh.dimension, mesh.order);
+  const ElementNodes nodes(mesh, NodeOrder::Vtk);
   std::set<int> points;
   for (const CellFace& face : faces)
   {
-    for (const int position : lattice.Face(face.face))
-    {
-      points.insert(mesh.Cell(face.cell)[position]);
-    }
+    const std::vector<int> ofFace = nodes.OfFace(face);
+    points.insert(ofFace.begin(), ofFace.end());
   }
   return { points.begin(), points.end() };
 }

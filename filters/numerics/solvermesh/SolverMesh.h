@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace crossfield
@@ -22,6 +23,24 @@ struct MeshBlock
   /// Returns the point at a column, row and layer.
   int NodeAt(const std::array<int, 3>& index) const { return this->nodes[this->PlaceOf(index)]; }
 };
+
+/// Calls a function with all indices from `low` to `high`, both included, the first fastest.
+template <class Function>
+void ForEachIndex(
+  const std::array<int, 3>& low, const std::array<int, 3>& high, const Function& function)
+{
+  std::array<int, 3> index{};
+  for (index[2] = low[2]; index[2] <= high[2]; ++index[2])
+  {
+    for (index[1] = low[1]; index[1] <= high[1]; ++index[1])
+    {
+      for (index[0] = low[0]; index[0] <= high[0]; ++index[0])
+      {
+        function(std::as_const(index));
+      }
+    }
+  }
+}
 
 /// The two ends of a mesh that was swept (SweepQuads.h).
 struct SweepEnds

@@ -1,6 +1,6 @@
 #include "SweepQuads.h"
 
-#include "CellLattice.h"
+#include "ElementNodes.h"
 #include "Error.h"
 #include "Index.h"
 
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 namespace crossfield
 {
@@ -174,29 +175,20 @@ public:
   {
     const SweptPlaces places(quads, sweep);
     RequireSimpleAxis(quads, places);
-    std::vector<bool> isUsed(this->PointCount, false);
-    for (const int point : quads.cells)
-    {
-      isUsed[Index(point)] = true;
-    }
+    const std::vector<int> used = ElementNodes(quads, NodeOrder::Vtk).UsedPoints();
     for (int level = 0; level < this->Levels; ++level)
     {
-      for (std::size_t i = 0; i < this->PointCount; ++i)
+      const double part = static_cast<double>(level) / (sweep.layers * quads.order);
+      for (const int point : used)
       {
-        const int point = static_cast<int>(i);
-        if (!isUsed[i])
-        {
-          continue;
-        }
-        int& number = this->Numbers[Index(level) * this->PointCount + i];
+        int& number = this->Numbers[Index(level) * this->PointCount + Index(point)];
         if (level > 0 && places.IsOnAxis(point))
         {
-          number = this->Numbers[i];
+          number = this->Numbers[Index(point)];
           continue;
         }
         number = static_cast<int>(mesh.points.size());
         mesh.sources.points.push_back(SourceOf(quads.sources.points, point));
-        const double part = static_cast<double>(level) / (sweep.layers * quads.order);
         mesh.points.push_back(places.At(point, part));
       }
     }
@@ -222,23 +214,17 @@ private:
         onAxis[Index(corner)] = places.IsOnAxis(quads.Cell(cell)[lattice.Corner(corner)]);
       }
       const auto count = std::count(onAxis.begin(), onAxis.end(), true);
-      if (count == 0)
+      const auto first = std::find(onAxis.begin(), onAxis.end(), true) - onAxis.begin();
+      if (count == 0 || (quads.order == 1 && count == 2 && onAxis[0] != onAxis[2]))
       {
-        continue;
+        continue; // beside the axis, or with an edge on it
       }
-      const int point = quads.Cell(cell)[lattice.Corner(
-        static_cast<int>(std::find(onAxis.begin(), onAxis.end(), true) - onAxis.begin()))];
-      if (quads.order > 1)
-      {
-        throw Error("The quads touch the axis at " + PlaceOf(quads, point) +
-          ", and prisms of order 2 cannot be written; use order 1.");
-      }
-      const bool hasEdge = count == 2 && onAxis[0] != onAxis[2];
-      if (!hasEdge)
-      {
-        throw Error("A quad touches the axis at " + PlaceOf(quads, point) +
-          " with other than one edge; let no singularity be on the axis, or use smaller quads.");
-      }
+      const std::string place =
+        PlaceOf(quads, quads.Cell(cell)[lattice.Corner(static_cast<int>(first))]);
+      throw Error(quads.order > 1 ? "The quads touch the axis at " + place +
+            ", and prisms of order 2 cannot be written; use order 1."
+                                  : "A quad touches the axis at " + place +
+            " with other than one edge; let no singularity be on the axis, or use smaller quads.");
     }
   }
 
@@ -264,18 +250,11 @@ int AddSide(const std::string& name, SolverMesh& mesh)
 void RemoveEmptySides(SolverMesh& mesh)
 {
   std::vector<int> number(mesh.sideNames.size(), -1);
-  for (const int side : mesh.side)
-  {
-    number[Index(side)] = 0;
-  }
   std::vector<std::string> names;
-  for (std::size_t side = 0; side < number.size(); ++side)
+  for (const int side : std::set<int>(mesh.side.begin(), mesh.side.end()))
   {
-    if (number[side] == 0)
-    {
-      number[side] = static_cast<int>(names.size());
-      names.push_back(mesh.sideNames[side]);
-    }
+    number[Index(side)] = static_cast<int>(names.size());
+    names.push_back(mesh.sideNames[Index(side)]);
   }
   for (int& side : mesh.side)
   {
@@ -305,24 +284,6 @@ bool Commutes(const Eigen::Matrix4d& motion, const Sweep& sweep)
   Eigen::Matrix4d alongAxis = motion;
   alongAxis(sweep.axis, 3) = 0.0;
   return alongAxis.isIdentity(PlaneRounding);
-}
-
-std::vector<MeshBlock> SweepBlocks(
-  const std::vector<MeshBlock>& flat, const SweptPoints& points, int layers, int order)
-{
-  std::vector<MeshBlock> blocks;
-  for (const MeshBlock& block : flat)
-  {
-    blocks.push_back({ { block.cells[0], block.cells[1], layers }, {} });
-    for (int layer = 0; layer <= layers; ++layer)
-    {
-      for (const int node : block.nodes)
-      {
-        blocks.back().nodes.push_back(points.At(node, layer * order));
-      }
-    }
-  }
-  return blocks;
 }
 }
 
@@ -394,7 +355,16 @@ SolverMesh SweepQuads(const SolverMesh& quads, const Sweep& sweep)
   mesh.sweep.isRotation = sweep.kind == Sweep::Rotation;
   mesh.sweep.back = points.IsClosed ? -1 : sides - 2;
   mesh.sweep.front = points.IsClosed ? -1 : sides - 1;
-  mesh.blocks = SweepBlocks(quads.blocks, points, sweep.layers, p);
+  for (const MeshBlock& block : quads.blocks)
+  {
+    mesh.blocks.push_back({ { block.cells[0], block.cells[1], sweep.layers }, {} });
+    for (int level = 0; level <= sweep.layers * p; level += p)
+    {
+      std::transform(block.nodes.begin(), block.nodes.end(),
+        std::back_inserter(mesh.blocks.back().nodes),
+        [&](int node) { return points.At(node, level); });
+    }
+  }
   return mesh;
 }
 }

@@ -52,26 +52,18 @@ void InsertPoint(const QuadPoint& point, const crossfield::DomainPlane& plane, v
   points->InsertNextPoint(plane.ToSpace(point.place).data());
 }
 
-/** Appends a value for each boundary line to an array of quads. */
+/** Adds the array of a mesh from that of its quads or, if they have none, of its lines; `value` is that of the others. */
 template <class Array>
-void Append(vtkFieldData* from, const char* name, typename Array::ValueType value, vtkIdType lines,
-  vtkFieldData* to)
+void Join(vtkCellData* quads, vtkCellData* lines, const char* name, typename Array::ValueType value,
+  vtkCellData* to)
 {
-  vtkNew<Array> array;
-  array->DeepCopy(from->GetArray(name));
-  for (vtkIdType i = 0; i < lines; ++i)
-  {
-    array->InsertNextValue(value);
-  }
-  to->AddArray(array);
-}
-
-/** Prepends a value for each quad to an array of boundary lines. */
-void Prepend(vtkFieldData* from, const char* name, int value, vtkIdType quads, vtkFieldData* to)
-{
-  const auto array = ColumnWriting::NewArray<vtkIntArray>(to, name, 1, quads, value);
-  vtkDataArray* ofLines = from->GetArray(name);
-  array->InsertTuples(quads, ofLines->GetNumberOfTuples(), 0, ofLines);
+  vtkAbstractArray* ofQuads = quads->GetAbstractArray(name);
+  vtkAbstractArray* ofLines = lines->GetAbstractArray(name);
+  const vtkIdType quadCount = quads->GetNumberOfTuples();
+  const vtkIdType lineCount = lines->GetNumberOfTuples();
+  const auto array = ColumnWriting::NewArray<Array>(to, name, 1, quadCount + lineCount, value);
+  ofQuads ? array->InsertTuples(0, quadCount, 0, ofQuads)
+          : array->InsertTuples(quadCount, lineCount, 0, ofLines);
 }
 }
 
@@ -166,27 +158,27 @@ void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredG
     output->InsertNextCell(VTK_LINE, 2, ids.data());
   }
   vtkCellData* from = quads->GetCellData();
+  vtkCellData* lines = boundary->GetCellData();
   vtkCellData* to = output->GetCellData();
   to->Initialize();
   for (const char* name : { names::BlockId, names::I, names::J })
   {
-    Append<vtkIntArray>(from, name, -1, lineCount, to);
+    Join<vtkIntArray>(from, lines, name, -1, to);
   }
   for (const char* name : { names::ScaledJacobian, names::SizeRatio })
   {
-    Append<vtkDoubleArray>(from, name, 1.0, lineCount, to);
+    Join<vtkDoubleArray>(from, lines, name, 1.0, to);
   }
-  Prepend(boundary->GetCellData(), names::BoundaryKind, 0, quadCount, to);
-  Prepend(boundary->GetCellData(), names::BoundaryId, -1, quadCount, to);
-  if (boundary->GetCellData()->HasArray(names::Curve))
+  Join<vtkIntArray>(from, lines, names::BoundaryKind, 0, to);
+  Join<vtkIntArray>(from, lines, names::BoundaryId, -1, to);
+  if (lines->HasArray(names::Curve))
   {
-    Prepend(boundary->GetCellData(), names::Curve, -1, quadCount, to);
+    Join<vtkIntArray>(from, lines, names::Curve, -1, to);
   }
   vtkNew<vtkStringArray> sides;
   sides->SetName(names::Side);
   sides->SetNumberOfValues(quadCount);
-  vtkAbstractArray* ofLines = boundary->GetCellData()->GetAbstractArray(names::Side);
-  sides->InsertTuples(quadCount, lineCount, 0, ofLines);
+  sides->InsertTuples(quadCount, lineCount, 0, lines->GetAbstractArray(names::Side));
   to->AddArray(sides);
 }
 

@@ -135,7 +135,7 @@ void ExpectConnection(const SolverMesh& mesh, const BlockConnection& connection)
 
 void ExpectPartition(const SolverMesh& mesh)
 {
-  const BlockFaces faces = FindBlockFaces(mesh);
+  const BlockFaces faces = FindBlockFaces(mesh, MeshFaces(mesh));
   std::map<Corners, int> inner;
   for (const BlockConnection& connection : faces.connections)
   {
@@ -207,7 +207,7 @@ TEST(BlockFaces, RandomBlocksAreConnectedWherePointsCoincide)
 TEST(BlockFaces, AGridOfBlocksHasOneConnectionForEachPairOfNeighbours)
 {
   const SolverMesh mesh = BlockGrid({ 3, 2, 2 }, { 2, 3, 4 }, 3);
-  const BlockFaces faces = FindBlockFaces(mesh);
+  const BlockFaces faces = FindBlockFaces(mesh, MeshFaces(mesh));
   EXPECT_EQ(faces.connections.size(), 2U * 2 * 2 + 3U * 1 * 2 + 3U * 2 * 1);
   EXPECT_EQ(faces.patches.size(), 2U * (2 * 2 + 3 * 2 + 3 * 2));
   EXPECT_TRUE(faces.collapsed.empty());
@@ -219,7 +219,7 @@ TEST(BlockFaces, ARingIsConnectedToItself)
   {
     const SolverMesh mesh = Ring(12, 4, layers);
     ExpectPartition(mesh);
-    const BlockFaces faces = FindBlockFaces(mesh);
+    const BlockFaces faces = FindBlockFaces(mesh, MeshFaces(mesh));
     ASSERT_EQ(faces.connections.size(), 1U);
     EXPECT_EQ(faces.connections[0].from.face, 0);
     EXPECT_EQ(faces.connections[0].to.face, 1);
@@ -232,7 +232,7 @@ TEST(BlockFaces, ASideThatIsFoldedOntoItselfIsConnectedInHalves)
   // A C-grid: a row of quads around a slit, whose sides are the first and the last edges of row 0.
   const SolverMesh mesh = CGrid(5, 8, 3);
   ExpectPartition(mesh);
-  const BlockFaces faces = FindBlockFaces(mesh);
+  const BlockFaces faces = FindBlockFaces(mesh, MeshFaces(mesh));
   ASSERT_EQ(faces.connections.size(), 1U);
   const BlockConnection& wake = faces.connections[0];
   EXPECT_EQ(wake.from.end[0] - wake.from.begin[0], 5);
@@ -247,7 +247,7 @@ TEST(BlockFaces, SidesOfPrismsOnAnAxisCollapse)
   {
     const SolverMesh mesh = Revolved(angle);
     ExpectPartition(mesh);
-    const BlockFaces faces = FindBlockFaces(mesh);
+    const BlockFaces faces = FindBlockFaces(mesh, MeshFaces(mesh));
     ASSERT_EQ(faces.collapsed.size(), 2U) << "two blocks touch the axis";
     for (const BlockRange& range : faces.collapsed)
     {
@@ -271,7 +271,7 @@ TEST(BlockFaces, APieceOfASideIsAPatch)
     }
   }
   ExpectPartition(mesh);
-  EXPECT_EQ(FindBlockFaces(mesh).patches.size(), 6U);
+  EXPECT_EQ(FindBlockFaces(mesh, MeshFaces(mesh)).patches.size(), 6U);
 }
 
 TEST(BlockFaces, LeftHandedBlocksAreTurned)
@@ -303,7 +303,7 @@ TEST(BlockFaces, DamagedBlocksAreRefused)
     const auto find = [&]
     {
       RequireBlocks(damaged, ".xyz");
-      FindBlockFaces(damaged);
+      FindBlockFaces(damaged, MeshFaces(damaged));
     };
     EXPECT_TRUE(Refuses(find, { words }));
   };
