@@ -5,6 +5,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
+#include "QuadAdvice.h"
 #include "SmoothMesh.h"
 #include "vtkCrossFieldArrayNames.h"
 

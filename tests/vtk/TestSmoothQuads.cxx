@@ -1,14 +1,15 @@
-// Quad meshes of vtkPlaneSource, that is of ParaView's Plane, and of polygons with lines beside them.
+// Quads in a plane in space, with and without lines beside them.
 
 #include "support/FilterChecks.h"
 #include "support/TestInputs.h"
 #include "vtkSmoothQuads.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -21,30 +22,33 @@
 
 namespace
 {
-/** A grid of quads in a plane through three points, with points inside moved along its axes. */
+/** A grid of quads in a plane in space, with points inside moved along its axes and a point array. */
 vtkSmartPointer<vtkPolyData> MovedPlane(int n, double part)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(1.0, 2.0, 3.0);
-  plane->SetPoint1(3.0, 2.0, 4.0);
-  plane->SetPoint2(1.0, 4.0, 3.5);
-  plane->SetResolution(n, n);
-  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->Update();
-  vtkSmartPointer<vtkPolyData> mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->DeepCopy(plane->GetOutput());
-  for (int j = 1; j < n; ++j)
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> quads;
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("Number");
+  for (int j = 0; j <= n; ++j)
   {
-    for (int i = 1; i < n; ++i)
+    for (int i = 0; i <= n; ++i)
     {
-      const double s = part / n * std::sin(7.0 * i + 3.0 * j);
-      const double t = part / n * std::sin(5.0 * i - 2.0 * j);
-      double p[3];
-      mesh->GetPoint(j * (n + 1) + i, p);
-      mesh->GetPoints()->SetPoint(
-        j * (n + 1) + i, p[0] + 2.0 * s, p[1] + 2.0 * t, p[2] + s + 0.5 * t);
+      const bool isInside = i % n != 0 && j % n != 0;
+      const double s = (i + (isInside ? part * std::sin(7.0 * i + 3.0 * j) : 0.0)) / n;
+      const double t = (j + (isInside ? part * std::sin(5.0 * i - 2.0 * j) : 0.0)) / n;
+      const vtkIdType id = points->InsertNextPoint(1.0 + 2.0 * s, 2.0 + 2.0 * t, 3.0 + s + 0.5 * t);
+      numbers->InsertNextValue(static_cast<double>(id));
+      if (i < n && j < n)
+      {
+        quads->InsertNextCell({ id, id + 1, id + n + 2, id + n + 1 });
+      }
     }
   }
+  vtkSmartPointer<vtkPolyData> mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(quads);
+  mesh->GetPointData()->AddArray(numbers);
   return mesh;
 }
 
@@ -74,7 +78,7 @@ TEST_F(SmoothQuads, QuadsOfAPlaneInSpaceBecomeBetter)
   EXPECT_EQ(output->GetNumberOfCells(), 144);
   vtkDataArray* jacobians = FilterChecks::RequireArray(output->GetCellData(), "ScaledJacobian");
   EXPECT_DOUBLE_EQ(jacobians->GetRange()[0], this->Minimum("ScaledJacobianRange"));
-  EXPECT_NE(output->GetPointData()->GetTCoords(), nullptr);
+  EXPECT_NE(output->GetPointData()->GetArray("Number"), nullptr);
   const double normal[3] = { -2.0, -1.0, 4.0 }; // (2, 0, 1) × (0, 2, 1/2)
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
@@ -90,7 +94,7 @@ TEST_F(SmoothQuads, KeepsLinesAndPointsThatNoQuadHas)
   vtkNew<vtkPolyData> mesh;
   mesh->DeepCopy(MovedPlane(6, 0.3));
   const vtkIdType single = mesh->GetPoints()->InsertNextPoint(1.0, 2.0, 3.0);
-  mesh->GetPointData()->Initialize(); // an array of texture coordinates would lack a tuple
+  mesh->GetPointData()->Initialize(); // the array would lack a tuple
   vtkNew<vtkCellArray> lines;
   lines->InsertNextCell({ 0, single });
   mesh->SetLines(lines);
@@ -107,15 +111,15 @@ TEST_F(SmoothQuads, KeepsLinesAndPointsThatNoQuadHas)
 
 TEST_F(SmoothQuads, WarnsAboutInvertedQuads)
 {
-  vtkNew<vtkPolyData> mesh;
-  mesh->DeepCopy(MovedPlane(1, 0.0));
-  mesh->GetPoints()->SetPoint(0, 3.0, 4.0, 4.5); // on the opposite corner
+  // One quad whose last corner is moved across the opposite ones: all four are on the boundary.
+  const vtkSmartPointer<vtkPolyData> mesh = MovedPlane(1, 0.0);
+  mesh->GetPoints()->SetPoint(0, 3.0, 3.5, 4.375);
   this->Filter->SetInputData(mesh);
   this->Filter->SlideOnBoundaryOff();
   FilterChecks::MessageRecorder recorder(this->Filter);
   this->Filter->Update();
   ASSERT_EQ(recorder.warnings.size(), 1U);
-  EXPECT_NE(recorder.warnings[0].find("1 quads are inverted"), std::string::npos);
+  EXPECT_NE(recorder.warnings[0].find("1 quad is inverted near"), std::string::npos);
 }
 
 TEST_F(SmoothQuads, RefusesOtherCells)

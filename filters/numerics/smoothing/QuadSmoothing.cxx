@@ -357,7 +357,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   SmoothingReport report;
   const bool large = mesh.quads.size() > MaximumAlone;
   const std::vector<QuadLattice> lattices =
-    large ? LatticesOf(mesh, blocks) : std::vector<QuadLattice>();
+    large && !blocks.blocks.empty() ? LatticesOf(mesh, blocks) : std::vector<QuadLattice>();
   const std::vector<double> weights(mesh.quads.size(), 1.0);
   const Level level = { mesh, weights, lattices };
   const std::vector<QuadPoint> start = mesh.points;

@@ -22,7 +22,7 @@ struct SmoothingReport
 /// Smooths a mesh with fixed connectivity (docs/method.md §14.5): minimises QuadEnergy by L-BFGS,
 /// with ε decreasing to zero if the start has corners that are not positive. A large mesh takes a
 /// few steps, with corrections from coarser meshes of every second line of its blocks, so the cost
-/// is linear in quads. Inner singularities are fixed, unless a quad is not positive with them
+/// is linear in quads; without blocks, it takes as many steps as a small one. Inner singularities are fixed, unless a quad is not positive with them
 /// fixed. Keeps the start if its minimum scaled Jacobian is larger.
 ///
 /// With target sizes other than those of the map, `sizePart` is the weight of sizes against shapes,

@@ -1,3 +1,4 @@
+#include "PositionCurvature.h"
 #include "StrengthChanges.h"
 
 #include "DrillHoles.h"
@@ -111,7 +112,7 @@ TEST(PositionEnergy, CurvatureIsTheDerivativeOfTheGradient)
   const auto potential = std::make_shared<const PointPotential>(PotentialWith(Solver(), -1, 0));
   const PositionEnergy energy(potential);
   const Eigen::VectorXd multipliers = Eigen::Vector2d(0.3, -0.7);
-  const PositionEnergy::Curvature curvature = energy.Differentiate(Singularities, multipliers);
+  const PositionCurvature curvature = Differentiate(energy, Singularities, multipliers);
   ASSERT_EQ(curvature.hessian.rows(), 10);
   EXPECT_LT(
     (curvature.hessian - curvature.hessian.transpose()).norm(), 1e-10 * curvature.hessian.norm());

@@ -82,7 +82,8 @@ TEST(SmoothMesh, EqualSquaresAreTheMinimumOfEqualSizes)
   {
     const PlainQuads mesh = Grid(n, 0.4, random);
     const SmoothedMesh smoothed = SmoothMesh(mesh, options);
-    EXPECT_LE(LargestDistance(smoothed.points, Grid(n, 0.0, none).points), 0.02 / n) << n;
+    // With coarser meshes, the descent ends at a hundredth of the energy above the ideal one.
+    EXPECT_LE(LargestDistance(smoothed.points, Grid(n, 0.0, none).points), 0.05 / n) << n;
     EXPECT_LT(smoothed.before.jacobian.min, 0.8);
     EXPECT_GT(smoothed.after.jacobian.min, 0.99);
   }
