@@ -98,9 +98,8 @@ int vtkSmoothQuads::RequestData(
       const crossfield::SmoothedMesh smoothed = crossfield::SmoothMesh(mesh, options, progress);
       if (smoothed.after.inverted > 0)
       {
-        vtkWarningMacro(<< smoothed.after.inverted << " quads are inverted, one at "
-                        << crossfield::Describe(smoothed.after.where)
-                        << "; divide them, or move points of the boundary.");
+        vtkWarningMacro(<< crossfield::CountInverted(smoothed.after)
+                        << "; divide quads there, or move points of the boundary.");
       }
       vtkPointSet* output = vtkPointSet::GetData(outputVector);
       output->ShallowCopy(input);
