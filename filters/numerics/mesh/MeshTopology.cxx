@@ -78,6 +78,14 @@ std::pair<int, int> MeshTopology::SideOfBoundary(int position) const
 
 double MeshTopology::Length(int edge) const
 {
+  if (!this->charts)
+  {
+    // Searches for paths ask for many: without a triangle it takes half of the time.
+    const auto& [from, to] = this->edges.vertices[static_cast<std::size_t>(edge)];
+    return (this->mesh.points[static_cast<std::size_t>(to)] -
+      this->mesh.points[static_cast<std::size_t>(from)])
+      .norm();
+  }
   const int triangle = this->edges.triangles[static_cast<std::size_t>(edge)][0];
   const int side = this->SideOf(triangle, edge);
   return (this->At(triangle, (side + 1) % 3) - this->At(triangle, side)).norm();
