@@ -82,7 +82,7 @@ private:
   {
     const crossfield::Layout& layout = design.layouts.Single();
     const MapConversion::Map map{ layout.map, plane };
-    TMeshConversion::WriteTraces(map, design.separatrices, {}, 0.0, this->Separatrices);
+    TMeshConversion::WriteTraces(map, layout.separatrices, {}, 0.0, this->Separatrices);
     LayoutConversion::AddShade(stale, this->Separatrices);
     PatchConversion::WritePatches(map, layout.tMesh, this->Patches);
     LayoutConversion::AddColours(design.colours, stale, this->Patches);

@@ -16,8 +16,8 @@
  * - field data `ScaledJacobianRange` (double, minimum, mean and maximum), `ScaledJacobianRangeBefore` (the
  *   same of the input) and `Inverted` (int, quads that are not positive).
  *
- * Without UniformSizes the minimum never decreases. Inverted quads are a warning. The filter fails, with
- * an empty output, if there are other cells or no quads, the points are in no plane, a quad has a point
+ * The number of inverted quads never increases, and without UniformSizes the minimum does not decrease if
+ * no quad of the input is inverted. Inverted quads are a warning. The filter fails, with an empty output, if there are other cells or no quads, the points are in no plane, a quad has a point
  * twice, an edge has more than two quads, or the boundary touches itself in a point.
  *
  * @sa vtkQuadMesher, crossfield::SmoothMesh

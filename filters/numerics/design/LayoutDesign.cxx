@@ -68,7 +68,6 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
       design.layouts.Single().map, design.quads->mesh, singularities, singularities);
   }
   const Layout& layout = design.layouts.Single();
-  design.separatrices = TraceSeparatrices(layout.map);
   design.shortestArc = std::numeric_limits<double>::infinity();
   for (const TArc& arc : layout.tMesh.arcs)
   {

@@ -7,7 +7,6 @@
 
 #include "PoincareHopf.h"
 #include "RenormalizedEnergy.h"
-#include "TraceGraph.h"
 
 #include <optional>
 
@@ -28,8 +27,7 @@ struct LayoutOptions
 /// patches, quads and quality.
 struct LayoutDesign
 {
-  LayoutSet layouts;       ///< The layout of the domain, which has one region.
-  TraceGraph separatrices; ///< Separatrices of its map.
+  LayoutSet layouts; ///< The layout of the domain, which has one region.
   std::optional<QuadResult> quads;
   /// Where the nodes of the singularities are, and how far from the given positions. Without quads
   /// these are the given positions.

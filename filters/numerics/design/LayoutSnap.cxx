@@ -107,7 +107,7 @@ LayoutSnap SnapLayout(const FactoredDomain& domain, const Configuration& singula
   result.singularities = closed.layout.singularities;
   result.largestMove = LargestMove(singularities, result.singularities);
   result.event =
-    Describe(start, closed, FindArcsToClose(closed.layout.tMesh, closing).size(), tolerance);
+    Describe(start, closed, !FindArcsToClose(closed.layout.tMesh, closing).empty(), tolerance);
   progress.Report(1.0);
   return result;
 }

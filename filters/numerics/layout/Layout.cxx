@@ -39,7 +39,8 @@ Layout LayOut(const SharedPlanarTopology& topology, const Configuration& singula
   layout.map = SolveSeamlessMap(topology, singularities, options,
     progress.Part(retainsFactor ? 0.3 : 0.0, 0.8), layout.potential);
   layout.mapSeconds = clock.Lap();
-  layout.tMesh = MakeTMesh(layout.map, TraceSeparatrices(layout.map, progress.Part(0.8, 1.0)));
+  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.8, 1.0));
+  layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
   layout.traceSeconds = clock.Lap();
   return layout;
 }

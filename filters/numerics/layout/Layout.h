@@ -5,17 +5,19 @@
 #include "Progress.h"
 #include "SeamlessMapSolve.h"
 #include "TMesh.h"
+#include "TraceGraph.h"
 
 #include <memory>
 #include <vector>
 
 namespace crossfield
 {
-/// Singularities of one region with their seamless map and its T-mesh.
+/// Singularities of one region with their seamless map, its separatrices and its T-mesh.
 struct Layout
 {
   Configuration singularities;
   SeamlessMap map;
+  TraceGraph separatrices;
   TMesh tMesh;
   /// The factor that the map was solved with, for its derivatives; null if it was not retained.
   std::shared_ptr<const PotentialSolver> potential = nullptr;

@@ -80,7 +80,7 @@ double MeshTopology::Length(int edge) const
 {
   if (!this->charts)
   {
-    // Searches for paths ask for many: without a triangle it takes half of the time.
+    // Without looking for a triangle: the search for cuts asks for every edge several times.
     const auto& [from, to] = this->edges.vertices[static_cast<std::size_t>(edge)];
     return (this->mesh.points[static_cast<std::size_t>(to)] -
       this->mesh.points[static_cast<std::size_t>(from)])

@@ -43,6 +43,17 @@ public:
     this->SetTargets();
   }
 
+  /// Returns the side of squares that share the area.
+  double MeanSize() const
+  {
+    double area = 0.0;
+    for (int quad = 0; quad < static_cast<int>(this->Mesh.quads.size()); ++quad)
+    {
+      area += this->AreaOf(quad);
+    }
+    return std::sqrt(area / static_cast<double>(this->Mesh.quads.size()));
+  }
+
   QuadMesh Mesh;
   std::vector<Loop> Loops; ///< The boundary, with the domain on its left.
 
@@ -54,7 +65,8 @@ private:
     return " near " + Describe(this->Mesh.points[Index(this->StartOf(side))].place);
   }
 
-  /// Finds the two sides of each edge; −1 on the boundary.
+  /// Finds the other side of the edge of each side; −1 on the boundary. QuadMesh::Twins requires quads
+  /// that are oriented alike.
   void FindTwins()
   {
     std::vector<int> sides(4 * this->Mesh.quads.size());
@@ -228,19 +240,6 @@ private:
       std::array<double, 2>{ size, size });
   }
 
-public:
-  /// Returns the side of squares that share the area.
-  double MeanSize() const
-  {
-    double area = 0.0;
-    for (int quad = 0; quad < static_cast<int>(this->Mesh.quads.size()); ++quad)
-    {
-      area += this->AreaOf(quad);
-    }
-    return std::sqrt(area / static_cast<double>(this->Mesh.quads.size()));
-  }
-
-private:
   const MeshSmoothingOptions& Options;
   std::vector<int> Twins; ///< Side s of quad q is 4 q + s.
 };
@@ -260,7 +259,7 @@ SmoothedMesh SmoothMesh(
   {
     blocks = {};
   }
-  result.report = SmoothQuads(quads, blocks, BoundaryCurves(reading.Loops),
+  SmoothQuads(quads, blocks, BoundaryCurves(reading.Loops),
     options.uniform ? std::optional<double>(UniformSizePart) : std::nullopt,
     progress.Part(0.2, 1.0));
   result.after = MeasureQuads(quads, size);

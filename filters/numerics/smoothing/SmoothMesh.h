@@ -28,14 +28,13 @@ struct SmoothedMesh
   std::vector<Point> points; ///< In the order of the input.
   QuadQuality before;        ///< With quads that are counter-clockwise.
   QuadQuality after;
-  SmoothingReport report;
 };
 
 /// Smooths a quad mesh with SmoothQuads (docs/method.md §14.5). Irregular points inside move, too.
 /// Neighbours are oriented alike, and the total area of each connected part is positive.
 ///
-/// Without `uniform` the result is the input where its minimum scaled Jacobian is larger. Throws Error
-/// if there is no quad, a quad has a point twice, an edge has more than two quads, a part cannot be
+/// The number of inverted quads never increases. Without `uniform`, the minimum scaled Jacobian does not
+/// decrease if no quad of the input is inverted. Throws Error if there is no quad, a quad has a point twice, an edge has more than two quads, a part cannot be
 /// oriented or has no area, or the boundary touches itself in a point.
 SmoothedMesh SmoothMesh(
   const PlainQuads& mesh, const MeshSmoothingOptions& options, const Progress& progress = {});

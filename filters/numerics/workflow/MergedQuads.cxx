@@ -41,7 +41,7 @@ void Clean(const PlanarDomain& domain, const QuadRequest& request, MergedQuads& 
   options.map = merged.map;
   options.meshSize = request.meshSize;
   options.quads = merged.options;
-  // The singularities of a pattern are close to holes, and layers need room.
+  // Not with layers: the singularities of a pattern are as close to holes as the rows of a layer.
   const bool isPattern = !request.singularities && request.layers.empty() &&
     StartFromPattern(domain, request, merged.mesh, options, progress.Part(0.0, 0.2));
   CleanBlocksResult clean =
