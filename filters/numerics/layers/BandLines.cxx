@@ -22,7 +22,7 @@ std::vector<Point> PlacesOf(const QuadMesh& mesh, const std::vector<int>& points
   std::vector<Point> places;
   for (const int point : points)
   {
-    places.push_back(mesh.points[Index(point)].place);
+    places.push_back(mesh.points[Index(point)].InPlane());
   }
   return places;
 }
@@ -240,7 +240,7 @@ double BandLines::LargestGrowth(const std::vector<std::vector<QuadPoint>>& point
     double last = std::numeric_limits<double>::infinity();
     for (std::size_t row = 0; row <= points[line].size(); ++row)
     {
-      const Point to = row < points[line].size() ? points[line][row].place
+      const Point to = row < points[line].size() ? points[line][row].InPlane()
                                                  : this->PlaceOf(this->Points[line].back());
       growth = std::max(growth, (to - from).norm() / last);
       last = (to - from).norm();
@@ -356,17 +356,17 @@ std::vector<std::vector<QuadPoint>> BandLines::Divide(int rows) const
       {
         point.valence = 2;
         point.curve = this->PlaceOnBoundary(line, rowEnds[row]);
-        point.place = this->Curves.At(point.curve);
+        point.MoveTo(this->Curves.At(point.curve));
       }
       else
       {
         point.valence = 4;
-        point.place = curve.At(rowEnds[row]);
+        point.MoveTo(curve.At(rowEnds[row]));
         for (const End& end : ends)
         {
           if (end.parts[line] > 0.0)
           {
-            point.place += end.parts[line] *
+            point.place.head<2>() += end.parts[line] *
               (this->Curves.At(this->PlaceOnBoundary(end.line, fraction * end.length)) -
                 end.curve.At(fraction * end.curve.Length()));
           }

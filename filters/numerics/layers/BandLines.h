@@ -47,7 +47,7 @@ private:
   double SineAtWall(std::size_t line, const Point& direction) const;
   Point PlaceOf(int point) const
   {
-    return this->Layered.mesh.points[static_cast<std::size_t>(point)].place;
+    return this->Layered.mesh.points[static_cast<std::size_t>(point)].InPlane();
   }
   bool IsEnd(std::size_t line) const;
   /// Returns the points of a line as a curve. At a corner that rows of layers turn around, it starts

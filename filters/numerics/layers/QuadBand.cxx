@@ -126,7 +126,7 @@ private:
     if (!this->Take(row, band))
     {
       throw Error("The quads beside '" + this->NameOf(band) + "' near " +
-        Describe(this->PointOf(this->Walk.StartOf(wall)).place) +
+        Describe(this->PointOf(this->Walk.StartOf(wall)).InPlane()) +
         " are also beside another side with a layer, or beside this one again; use smaller quads.");
     }
     return band;
@@ -166,7 +166,7 @@ private:
     const auto fail = [&](BandEnd end, int point)
     {
       band.end = end;
-      band.place = this->PointOf(point).place;
+      band.place = this->PointOf(point).InPlane();
       return false;
     };
     std::vector<int> next;

@@ -55,7 +55,7 @@ PointGrid::PointGrid(const QuadMesh& mesh)
     {
       for (std::size_t p = Index(begin); p < Index(end); ++p)
       {
-        cells[p] = this->CellOf(mesh.points[p].place);
+        cells[p] = this->CellOf(mesh.points[p].InPlane());
       }
     });
   const auto [first, last] = std::minmax_element(cells.begin(), cells.end());
@@ -104,7 +104,7 @@ int PointGrid::Find(const Point& place, int p) const
     for (auto at = std::lower_bound(this->Cells.begin() + this->Columns[column], end, first);
          at != end && at->first <= cell[1] + 1; ++at)
     {
-      const double distance = (this->Mesh.points[Index(at->second)].place - place).norm();
+      const double distance = (this->Mesh.points[Index(at->second)].InPlane() - place).norm();
       if (distance < nearest)
       {
         nearest = distance;
@@ -117,7 +117,7 @@ int PointGrid::Find(const Point& place, int p) const
 
 double PointGrid::EdgesBetween(const Point& place, int p) const
 {
-  return ReachPart * (this->Mesh.points[Index(p)].place - place).norm() / this->Reach[Index(p)];
+  return ReachPart * (this->Mesh.points[Index(p)].InPlane() - place).norm() / this->Reach[Index(p)];
 }
 
 std::array<long long, 2> PointGrid::CellOf(const Point& place) const

@@ -21,7 +21,7 @@ std::vector<int> QuadMesh::Twins() const
       const int to = quad[(i + 1) % 4];
       if (from == to || from == quad[(i + 2) % 4])
       {
-        throw Error("A quad near " + Describe(this->points[index(from)].place) +
+        throw Error("A quad near " + Describe(this->points[index(from)].InPlane()) +
           " has a point twice; use a smaller size.");
       }
       ++starts[index(std::min(from, to)) + 1];
@@ -60,7 +60,7 @@ std::vector<int> QuadMesh::Twins() const
         if (twins[index(other.number)] >= 0 || twins[index(mine.number)] >= 0 ||
           startOf(mine.number) == startOf(other.number))
         {
-          throw Error("An edge near " + Describe(this->points[p].place) +
+          throw Error("An edge near " + Describe(this->points[p].InPlane()) +
             " has more than two quads; use a smaller size.");
         }
         twins[index(mine.number)] = other.number;

@@ -13,17 +13,22 @@ namespace crossfield
 /// A point of a quad mesh.
 struct QuadPoint
 {
-  Point place = Point::Zero(); ///< Position in the plane.
-  CurvePlace curve;            ///< Position on the boundary, if the point is there.
+  SpacePoint place = SpacePoint::Zero(); ///< Position; in the plane, z is 0.
+  CurvePlace curve;                      ///< Position on the boundary, if the point is there.
   /// Set for corners of the boundary, ends of sides, singularities, and points that PlaceOnSides moved.
   bool fixed = false;
   /// Set for points that divide a closed side as prescribed and may turn along it together.
   bool turns = false;
   int cone = -1;        ///< Index in SeamlessMap::cones, −1 if it is none.
   int quarterIndex = 0; ///< Requested quarter index: that of the cone, else 0.
-  double scale =
-    1.0;           ///< Target size over that of the mesh: e^H unless SetTargetLengths changes it.
-  int valence = 0; ///< Number of quads.
+  int valence = 0;      ///< Number of quads.
+  /// Target size over that of the mesh: e^H unless SetTargetLengths changes it.
+  double scale = 1.0;
+
+  /// Returns the position in the plane.
+  Point InPlane() const { return this->place.head<2>(); }
+  /// Moves the point in the plane.
+  void MoveTo(const Point& target) { this->place << target, 0.0; }
 };
 
 /// A boundary edge, with the domain on its left.

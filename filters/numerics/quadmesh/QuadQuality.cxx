@@ -12,9 +12,9 @@ namespace crossfield
 {
 namespace
 {
-const Point& At(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
+Point At(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
 {
-  return mesh.points[Index(mesh.quads[quad][corner % 4])].place;
+  return mesh.points[Index(mesh.quads[quad][corner % 4])].InPlane();
 }
 
 Range RangeOf(const std::vector<double>& values)
@@ -180,7 +180,7 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
     for (const int point :
       mesh.quads[static_cast<std::size_t>(worst - quality.scaledJacobian.begin())])
     {
-      quality.where += 0.25 * mesh.points[Index(point)].place;
+      quality.where += 0.25 * mesh.points[Index(point)].InPlane();
     }
   }
   quality.jacobian = RangeOf(quality.scaledJacobian);

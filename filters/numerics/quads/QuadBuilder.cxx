@@ -195,11 +195,11 @@ private:
     if (arc.onBoundary)
     {
       point.curve = this->CurveOn(half, within);
-      point.place = this->Curves.At(point.curve);
+      point.MoveTo(this->Curves.At(point.curve));
     }
     else
     {
-      point.place = this->Map.PlaceOf(place.triangle, place.w).head<2>();
+      point.place = this->Map.PlaceOf(place.triangle, place.w);
     }
     const bool node = j == 0 || j == count;
     const int cone = node ? this->Separatrices.nodes[Index(number)].cone : -1;
@@ -213,7 +213,7 @@ private:
     }
     if (isCone || (node && arc.onBoundary && this->Separatrices.nodes[Index(number)].isFixed))
     {
-      point.place = this->Separatrices.nodes[Index(number)].place.head<2>();
+      point.place = this->Separatrices.nodes[Index(number)].place;
       point.fixed = true;
     }
     return point;
@@ -310,7 +310,7 @@ private:
           (1.0 - s) * positions[lattice.At(0, j)].y() + s * positions[lattice.At(a, j)].y() };
         place = WalkStraight(this->Map, place, position - positions[lattice.At(i, j - 1)]);
         QuadPoint point;
-        point.place = this->Map.PlaceOf(place.triangle, place.w).head<2>();
+        point.place = this->Map.PlaceOf(place.triangle, place.w);
         point.scale = PlaneScale(this->Map, place.triangle);
         lattice.points[lattice.At(i, j)] = next;
         this->Mesh.points[Index(next++)] = point;

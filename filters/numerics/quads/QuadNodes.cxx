@@ -24,8 +24,8 @@ void CountValences(const MeshTopology& topology, QuadMesh& mesh)
   {
     if (point.valence != (point.curve.loop < 0 ? 4 : 2) - point.quarterIndex)
     {
-      throw Error("The node at " + Describe(point.place) + " has " + std::to_string(point.valence) +
-        " quads, not the requested number; use a smaller size.");
+      throw Error("The node at " + Describe(point.InPlane()) + " has " +
+        std::to_string(point.valence) + " quads, not the requested number; use a smaller size.");
     }
   }
 }
@@ -39,16 +39,16 @@ void FixCorners(const MeshBoundary& curves, QuadMesh& mesh)
     double distance = 2.0 * curves.Length(corner.loop);
     for (QuadPoint& point : mesh.points)
     {
-      if (point.curve.loop == corner.loop && (point.place - place).norm() < distance)
+      if (point.curve.loop == corner.loop && (point.InPlane() - place).norm() < distance)
       {
-        distance = (point.place - place).norm();
+        distance = (point.InPlane() - place).norm();
         nearest = &point;
       }
     }
     if (nearest != nullptr && !nearest->fixed)
     {
       nearest->curve = corner;
-      nearest->place = place;
+      nearest->MoveTo(place);
       nearest->fixed = true;
     }
   }

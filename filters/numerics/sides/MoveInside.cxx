@@ -22,7 +22,7 @@ void MoveInside(const std::vector<QuadPoint>& before, QuadMesh& mesh)
     }
   }
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(unknowns, 2);
+  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(unknowns, 3);
   for (const std::array<int, 4>& quad : mesh.quads)
   {
     for (std::size_t side = 0; side < 4; ++side)
@@ -52,7 +52,7 @@ void MoveInside(const std::vector<QuadPoint>& before, QuadMesh& mesh)
   matrix.setFromTriplets(entries.begin(), entries.end());
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
   solver.setTolerance(1e-4); // only a start for the smoothing
-  const Eigen::MatrixX2d moves = solver.solve(right);
+  const Eigen::MatrixX3d moves = solver.solve(right);
   for (std::size_t p = 0; p < count; ++p)
   {
     if (unknown[p] >= 0)

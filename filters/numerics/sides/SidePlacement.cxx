@@ -73,7 +73,7 @@ void PlacePart(const BoundaryCurves& curves, const std::vector<int>& part,
     {
       point.curve.at = start.at + shift + places[Index(i)];
       point.curve.at -= loop * std::floor(point.curve.at / loop);
-      point.place = curves.At(point.curve);
+      point.MoveTo(curves.At(point.curve));
       point.fixed = true;
       point.turns = turns;
     }

@@ -182,7 +182,7 @@ void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shorte
       if (changes && i > 0)
       {
         point.curve.at = run.at[i];
-        point.place = curves.At(point.curve);
+        point.MoveTo(curves.At(point.curve));
       }
     }
   };

@@ -239,10 +239,10 @@ Eigen::VectorXd CoarseQuads::Interpolate(
       {
         return;
       }
-      Point displacement = -point.place;
+      Point displacement = -point.InPlane();
       for (std::size_t k = 0; k < 4; ++k)
       {
-        displacement += link.parts[k] * this->mesh.points[Index(link.coarse[k])].place;
+        displacement += link.parts[k] * this->mesh.points[Index(link.coarse[k])].InPlane();
       }
       result.segment<2>(FirstUnknown(link.fine)) = displacement;
     });

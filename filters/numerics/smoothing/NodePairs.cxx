@@ -21,26 +21,26 @@ void MoveHalfway(const BoundaryCurves& curves, const Point& place, QuadPoint& po
   const double loop = curves.Length(point.curve.loop);
   const double length = curves.Nearest(point.curve.loop, place).at - point.curve.at;
   point.curve.at += 0.5 * (length - loop * std::round(length / loop));
-  point.place = curves.At(point.curve);
+  point.MoveTo(curves.At(point.curve));
 }
 
 void MatchPair(
   const BoundaryCurves& curves, const RigidMotion& motion, QuadPoint& first, QuadPoint& second)
 {
-  const double distance = (motion(first.place) - second.place).norm();
+  const double distance = (motion(first.InPlane()) - second.InPlane()).norm();
   const bool isNear = distance <= SamePlace * curves.Length(first.curve.loop);
   if (second.fixed && !first.fixed)
   {
-    first.place = motion.Inverse()(second.place);
-    first.curve = curves.Nearest(first.curve.loop, first.place);
+    first.MoveTo(motion.Inverse()(second.InPlane()));
+    first.curve = curves.Nearest(first.curve.loop, first.InPlane());
   }
   else if (first.fixed == second.fixed && !isNear)
   {
-    MoveHalfway(curves, motion.Inverse()(second.place), first);
+    MoveHalfway(curves, motion.Inverse()(second.InPlane()), first);
   }
   first.fixed = second.fixed = first.fixed || second.fixed;
-  second.place = motion(first.place);
-  second.curve = curves.Nearest(second.curve.loop, second.place);
+  second.MoveTo(motion(first.InPlane()));
+  second.curve = curves.Nearest(second.curve.loop, second.InPlane());
 }
 }
 
@@ -88,8 +88,8 @@ double LargestMismatch(const PairedSides& pair, const QuadMesh& mesh)
   double largest = 0.0;
   for (const auto& [first, second] : pair.nodes)
   {
-    const Point image = pair.motion(mesh.points[Index(first)].place);
-    largest = std::max(largest, (image - mesh.points[Index(second)].place).norm());
+    const Point image = pair.motion(mesh.points[Index(first)].InPlane());
+    largest = std::max(largest, (image - mesh.points[Index(second)].InPlane()).norm());
   }
   return largest;
 }

@@ -111,7 +111,7 @@ Eigen::VectorXd QuadEnergy::Unknowns() const
   Eigen::VectorXd unknowns(this->Diagonal.size());
   for (int p = 0; p < static_cast<int>(this->Mesh.points.size()); ++p)
   {
-    unknowns.segment<2>(FirstUnknown(p)) = this->Mesh.points[Index(p)].place;
+    unknowns.segment<2>(FirstUnknown(p)) = this->Mesh.points[Index(p)].InPlane();
   }
   for (const int p : this->OnBoundary)
   {
@@ -164,19 +164,19 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
   }
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
   {
-    mesh.points[Index(p)].place = unknowns.segment<2>(FirstUnknown(p));
+    mesh.points[Index(p)].MoveTo(unknowns.segment<2>(FirstUnknown(p)));
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     QuadPoint& point = mesh.points[Index(this->OnBoundary[i])];
     point.curve = curves[i];
-    point.place = this->Curves.At(point.curve);
+    point.MoveTo(this->Curves.At(point.curve));
   }
   for (const Image& image : this->Images)
   {
     QuadPoint& point = mesh.points[Index(image.second)];
-    point.place = image.motion(mesh.points[Index(image.first)].place);
-    point.curve = this->Curves.Nearest(point.curve.loop, point.place);
+    point.MoveTo(image.motion(mesh.points[Index(image.first)].InPlane()));
+    point.curve = this->Curves.Nearest(point.curve.loop, point.InPlane());
   }
 }
 

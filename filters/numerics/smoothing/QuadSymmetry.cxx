@@ -78,7 +78,7 @@ public:
         for (int p = begin; p < end; ++p)
         {
           const QuadPoint& point = this->Mesh.points[Index(p)];
-          const Point place = symmetry(point.place);
+          const Point place = symmetry(point.InPlane());
           const int image = this->Grid->Find(place, p);
           const bool fits = image >= 0 && this->Fits(point, this->Mesh.points[Index(image)], place);
           const double distance =
@@ -108,7 +108,7 @@ public:
       {
         for (std::size_t p = Index(begin); p < Index(end); ++p)
         {
-          sums[p] += inverse(this->Mesh.points[Index(images[p])].place);
+          sums[p] += inverse(this->Mesh.points[Index(images[p])].InPlane());
         }
       });
   }
@@ -123,11 +123,11 @@ public:
       {
         continue;
       }
-      point.place = sums[p] / count;
+      point.MoveTo(sums[p] / count);
       if (point.curve.loop >= 0)
       {
-        point.curve = this->Curves.Nearest(point.curve.loop, point.place);
-        point.place = this->Curves.At(point.curve);
+        point.curve = this->Curves.Nearest(point.curve.loop, point.InPlane());
+        point.MoveTo(this->Curves.At(point.curve));
       }
     }
   }
@@ -139,7 +139,7 @@ public:
       [&](std::size_t p)
       {
         const QuadPoint& point = this->Mesh.points[p];
-        const Point place = symmetry(point.place);
+        const Point place = symmetry(point.InPlane());
         return std::any_of(this->Fixed.begin(), this->Fixed.end(),
           [&](std::size_t q) { return this->Fits(point, this->Mesh.points[q], place); });
       });
@@ -156,7 +156,7 @@ private:
     return point.quarterIndex == image.quarterIndex && point.turns == image.turns &&
       (point.curve.loop < 0) == (image.curve.loop < 0) &&
       this->IsFixed(point) == this->IsFixed(image) &&
-      (!this->IsFixed(point) || (image.place - place).norm() <= this->Reach);
+      (!this->IsFixed(point) || (image.InPlane() - place).norm() <= this->Reach);
   }
 
   /// Returns whether the images of the points of every quad are those of a quad.

@@ -34,7 +34,7 @@ public:
     this->Mesh.points.resize(plain.points.size());
     for (std::size_t p = 0; p < plain.points.size(); ++p)
     {
-      this->Mesh.points[p].place = plain.points[p];
+      this->Mesh.points[p].MoveTo(plain.points[p]);
     }
     this->Mesh.quads = plain.quads;
     this->FindTwins();
@@ -62,7 +62,7 @@ private:
   int EndOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index((side + 1) % 4)]; }
   std::string Near(int side) const
   {
-    return " near " + Describe(this->Mesh.points[Index(this->StartOf(side))].place);
+    return " near " + Describe(this->Mesh.points[Index(this->StartOf(side))].InPlane());
   }
 
   /// Finds the other side of the edge of each side; −1 on the boundary. QuadMesh::Twins requires quads
@@ -163,7 +163,7 @@ private:
   double AreaOf(int quad) const
   {
     const auto& corners = this->Mesh.quads[Index(quad)];
-    const auto at = [&](std::size_t i) { return this->Mesh.points[Index(corners[i])].place; };
+    const auto at = [&](std::size_t i) { return this->Mesh.points[Index(corners[i])].InPlane(); };
     return 0.5 * Cross(at(2) - at(0), at(3) - at(1));
   }
 
@@ -197,7 +197,7 @@ private:
       for (int p = start; next[Index(p)] >= 0;)
       {
         around.push_back(p);
-        loop.push_back(this->Mesh.points[Index(p)].place);
+        loop.push_back(this->Mesh.points[Index(p)].InPlane());
         p = std::exchange(next[Index(p)], -1);
       }
       this->PlaceOn(loop, around);
@@ -265,7 +265,7 @@ SmoothedMesh SmoothMesh(
   result.after = MeasureQuads(quads, size);
   for (const QuadPoint& point : quads.points)
   {
-    result.points.push_back(point.place);
+    result.points.push_back(point.InPlane());
   }
   return result;
 }

@@ -86,7 +86,7 @@ std::vector<CurveReport> MeasureCurves(
     }
     for (const int point : edge.points)
     {
-      const Point& place = mesh.points[Index(point)].place;
+      const Point place = mesh.points[Index(point)].InPlane();
       double distance = std::numeric_limits<double>::infinity();
       for (const LoopArc& arc : arcs)
       {

@@ -60,7 +60,7 @@ NodePositions FindNodePositions(const SeamlessMap& map, const QuadMesh& mesh,
     Point& position = result.singularities[i].position;
     if (nodes[i].point != nullptr)
     {
-      position = nodes[i].point->place;
+      position = nodes[i].point->InPlane();
     }
     const double moved = (position - start[i].position).norm();
     result.moved = std::max(result.moved, moved);

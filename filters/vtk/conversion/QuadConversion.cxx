@@ -49,7 +49,7 @@ void WritePointData(const QuadMesh& mesh, vtkPointData* data)
 
 void InsertPoint(const QuadPoint& point, const crossfield::DomainPlane& plane, vtkPoints* points)
 {
-  points->InsertNextPoint(plane.ToSpace(point.place).data());
+  points->InsertNextPoint(plane.ToSpace(point.InPlane()).data());
 }
 
 /** Adds the array of a mesh from that of its quads or, if they have none, of its lines; `value` is that of the others. */
@@ -77,7 +77,7 @@ void WriteQuads(
   points->SetDataTypeToDouble();
   for (const QuadPoint& point : result.mesh.points)
   {
-    points->InsertNextPoint(plane.ToSpace(point.place).data());
+    points->InsertNextPoint(plane.ToSpace(point.InPlane()).data());
   }
   output->SetPoints(points);
   output->Allocate(static_cast<vtkIdType>(result.mesh.quads.size()));

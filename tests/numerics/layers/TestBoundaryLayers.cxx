@@ -294,8 +294,9 @@ TEST(BoundaryLayers, OfAProfileGiveACGrid)
   {
     for (std::size_t c = 0; c < 4; ++c)
     {
-      const Point& from = mesh.points[static_cast<std::size_t>(quad[c])].place;
-      const Point upwards = mesh.points[static_cast<std::size_t>(quad[(c + 1) % 4])].place - from;
+      const Point from = mesh.points[static_cast<std::size_t>(quad[c])].InPlane();
+      const Point upwards =
+        mesh.points[static_cast<std::size_t>(quad[(c + 1) % 4])].InPlane() - from;
       if (from.x() > 1.0 && std::abs(from.y()) < 1e-6 && upwards.y() > std::abs(upwards.x()))
       {
         const double prescribed = 1e-4 * (1.0 + 5.0 * (from.x() - 1.0));

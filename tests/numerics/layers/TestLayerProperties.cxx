@@ -156,7 +156,7 @@ double PartWithin(const QuadWorkflowResult& result, const std::vector<LayerPresc
 {
   const QuadMesh& mesh = result.quads.mesh;
   const auto placeOf = [&](int point)
-  { return mesh.points[static_cast<std::size_t>(point)].place; };
+  { return mesh.points[static_cast<std::size_t>(point)].InPlane(); };
   std::map<std::array<int, 2>, int> sideAt;
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {

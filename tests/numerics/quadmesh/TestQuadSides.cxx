@@ -24,7 +24,7 @@ double DistanceToNode(const QuadMesh& mesh, const Point& place)
   {
     if (point.curve.loop >= 0)
     {
-      nearest = std::min(nearest, (point.place - place).norm());
+      nearest = std::min(nearest, (point.InPlane() - place).norm());
     }
   }
   return nearest;
@@ -46,12 +46,12 @@ void ExpectSides(const PlanarDomain& domain, const BoundarySides& sides, const Q
     const auto at = [&](std::size_t end)
     { return mesh.points[static_cast<std::size_t>(edge.points[end])]; };
     std::size_t loop = 0;
-    while (arcs[loop].Find(at(0).place, 1e-9) < 0.0)
+    while (arcs[loop].Find(at(0).InPlane(), 1e-9) < 0.0)
     {
       ++loop;
     }
-    const double from = arcs[loop].Nearest(at(0).place);
-    double length = arcs[loop].Nearest(at(1).place) - from;
+    const double from = arcs[loop].Nearest(at(0).InPlane());
+    double length = arcs[loop].Nearest(at(1).InPlane()) - from;
     length += length < 0.0 ? arcs[loop].Length() : 0.0;
     EXPECT_EQ(edge.side, along.At(loop, from + 0.5 * length));
     ++edges[static_cast<std::size_t>(edge.side)];

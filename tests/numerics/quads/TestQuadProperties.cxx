@@ -287,11 +287,11 @@ double Asymmetry(const QuadMesh& mesh, const Isometry& isometry)
   double worst = 0.0;
   for (const QuadPoint& point : mesh.points)
   {
-    const Point image = isometry(point.place);
+    const Point image = isometry(point.InPlane());
     double nearest = std::numeric_limits<double>::infinity();
     for (const QuadPoint& other : mesh.points)
     {
-      nearest = std::min(nearest, (other.place - image).norm());
+      nearest = std::min(nearest, (other.InPlane() - image).norm());
     }
     worst = std::max(worst, nearest);
   }

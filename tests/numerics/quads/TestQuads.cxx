@@ -45,11 +45,11 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double minimu
     if (!inside)
     {
       EXPECT_LT(
-        DistanceToLoop(point.place, loops[static_cast<std::size_t>(point.curve.loop)]), 1e-12);
+        DistanceToLoop(point.InPlane(), loops[static_cast<std::size_t>(point.curve.loop)]), 1e-12);
     }
     if (point.cone >= 0 && !result.smoothing.released)
     {
-      EXPECT_EQ(point.place,
+      EXPECT_EQ(point.InPlane(),
         RequirePlanar(map.topology)
           ->PointAt(map.cones[static_cast<std::size_t>(point.cone)].vertex));
     }

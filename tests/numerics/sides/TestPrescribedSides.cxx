@@ -32,7 +32,7 @@ std::vector<std::vector<double>> EdgesOf(const QuadMesh& mesh, const PlanarDomai
       for (const Loop& candidate : domain.loops)
       {
         const LoopArc arc(candidate);
-        const Point& place = mesh.points[static_cast<std::size_t>(piece[i])].place;
+        const Point place = mesh.points[static_cast<std::size_t>(piece[i])].InPlane();
         loop = arc.Find(place, 1e-9 * domain.Diagonal()) >= 0.0 ? arc.Length() : loop;
       }
       const double length = to.at - from.at;
@@ -61,7 +61,7 @@ std::vector<std::vector<double>> PartsOf(
     bool startsAtEnd = false;
     for (std::size_t i = 0; i < lengths[piece].size(); ++i)
     {
-      const Point& place = mesh.points[static_cast<std::size_t>(pieces[piece][i])].place;
+      const Point place = mesh.points[static_cast<std::size_t>(pieces[piece][i])].InPlane();
       const bool isEnd = std::any_of(ends.begin(), ends.end(),
         [&](const Point& end) { return (end - place).norm() < 1e-9 * domain.Diagonal(); });
       startsAtEnd = startsAtEnd || (i == 0 && isEnd);

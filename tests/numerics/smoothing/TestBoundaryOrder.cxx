@@ -138,9 +138,9 @@ TEST(QuadEnergy, PowersKeepTheMinimum)
 {
   QuadMesh square;
   square.points.resize(4);
-  square.points[1].place = { 2.0, 0.0 };
-  square.points[2].place = { 2.0, 3.0 };
-  square.points[3].place = { 0.0, 3.0 };
+  square.points[1].MoveTo({ 2.0, 0.0 });
+  square.points[2].MoveTo({ 2.0, 3.0 });
+  square.points[3].MoveTo({ 0.0, 3.0 });
   square.quads = { { 0, 1, 2, 3 } };
   square.targetLengths = { { 2.0, 3.0 } };
   const SharedPlanarTopology topology = ShareTopology(MeshForPoints(LShape(), {}, 0.5));
@@ -250,7 +250,7 @@ TEST(OrderOnBoundary, MovesOnlyPointsOutOfOrder)
         }
         else
         {
-          EXPECT_EQ(point.place, curves.At(point.curve));
+          EXPECT_EQ(point.InPlane(), curves.At(point.curve));
         }
       }
       ++reversed;
@@ -270,7 +270,7 @@ TEST(OrderOnBoundary, SpreadsPointsThatGather)
     if (point.curve.loop >= 0)
     {
       point.curve.at *= 0.02;
-      point.place = curves.At(point.curve);
+      point.MoveTo(curves.At(point.curve));
     }
   }
   const auto longest = [&]
@@ -298,11 +298,11 @@ TEST(SetMeasuredLengths, AreMeansOfOppositeSides)
 {
   QuadMesh mesh;
   mesh.points.resize(6);
-  mesh.points[1].place = { 4.0, 0.0 };
-  mesh.points[2].place = { 4.0, 3.0 };
-  mesh.points[3].place = { 0.0, 1.0 };
-  mesh.points[4].place = { 4.1, 0.0 };
-  mesh.points[5].place = { 4.1, 3.0 };
+  mesh.points[1].MoveTo({ 4.0, 0.0 });
+  mesh.points[2].MoveTo({ 4.0, 3.0 });
+  mesh.points[3].MoveTo({ 0.0, 1.0 });
+  mesh.points[4].MoveTo({ 4.1, 0.0 });
+  mesh.points[5].MoveTo({ 4.1, 3.0 });
   mesh.quads = { { 0, 1, 2, 3 }, { 1, 4, 5, 2 } };
   mesh.targetLengths.resize(2);
   SetMeasuredLengths(mesh);

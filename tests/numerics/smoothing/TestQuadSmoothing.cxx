@@ -88,9 +88,9 @@ TEST(QuadEnergy, IsIdealForTargetRectangles)
   // A single target rectangle has exactly the ideal value.
   QuadMesh square;
   square.points.resize(4);
-  square.points[1].place = { 0.0, 2.0 };
-  square.points[2].place = { -3.0, 2.0 };
-  square.points[3].place = { -3.0, 0.0 };
+  square.points[1].MoveTo({ 0.0, 2.0 });
+  square.points[2].MoveTo({ -3.0, 2.0 });
+  square.points[3].MoveTo({ -3.0, 0.0 });
   square.quads = { { 0, 1, 2, 3 } };
   square.targetLengths = { { 2.0, 3.0 } };
   QuadEnergy one(square, curves, AllButFixed(square), 0.2, { 1.0 });

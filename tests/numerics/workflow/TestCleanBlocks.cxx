@@ -69,7 +69,7 @@ TEST(CleanBlocks, BlobHasAThirdOfTheBlocks)
       double nearest = 1.0;
       for (const Singularity& singularity : after.singularities)
       {
-        nearest = std::min(nearest, (singularity.position - point.place).norm());
+        nearest = std::min(nearest, (singularity.position - point.InPlane()).norm());
       }
       EXPECT_LT(nearest, 1e-6);
     }

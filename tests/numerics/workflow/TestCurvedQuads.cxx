@@ -75,7 +75,7 @@ double LargestDistance(const QuadWorkflowResult& result, int& edges)
     const CurveEvaluator curve(result.boundary.curves[Index(edge.curve)]);
     for (const int point : edge.points)
     {
-      const Point& place = result.quads.mesh.points[Index(point)].place;
+      const Point place = result.quads.mesh.points[Index(point)].InPlane();
       largest = std::max(largest, (curve.At(curve.Nearest(place)) - place).norm());
     }
   }
@@ -91,7 +91,7 @@ double CornerDistance(const PlanarDomain& domain, const QuadMesh& mesh)
     double nearest = std::numeric_limits<double>::infinity();
     for (const QuadPoint& point : mesh.points)
     {
-      nearest = std::min(nearest, (point.place - corner.position).norm());
+      nearest = std::min(nearest, (point.InPlane() - corner.position).norm());
     }
     largest = std::max(largest, nearest);
   }
@@ -218,8 +218,8 @@ TEST(CurvedQuads, TurnedAndScaledPartsHaveTheSameMesh)
   double largest = 0.0;
   for (std::size_t i = 0; i < a.quads.mesh.points.size(); ++i)
   {
-    largest = std::max(
-      largest, (moved(a.quads.mesh.points[i].place) - b.quads.mesh.points[i].place).norm() / scale);
+    largest = std::max(largest,
+      (moved(a.quads.mesh.points[i].InPlane()) - b.quads.mesh.points[i].InPlane()).norm() / scale);
   }
   EXPECT_LT(largest, 1e-3); // smoothing stops within a hundredth of a quad
 }

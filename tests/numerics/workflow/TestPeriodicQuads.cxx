@@ -153,9 +153,9 @@ void ExpectPeriodic(const PeriodicDomain& domain, const QuadWorkflowResult& resu
   double worst = 0.0;
   for (std::size_t i = 0; i < first[0].size(); ++i)
   {
-    const Point image = pair.motion(mesh.points[Index(first[0][i])].place);
+    const Point image = pair.motion(mesh.points[Index(first[0][i])].InPlane());
     worst = std::max(
-      worst, (image - mesh.points[Index(second[0][second[0].size() - 1 - i])].place).norm());
+      worst, (image - mesh.points[Index(second[0][second[0].size() - 1 - i])].InPlane()).norm());
   }
   EXPECT_LE(worst, 1e-12 * domain.domain.Diagonal());
   EXPECT_EQ(LargestMismatch(pair, mesh), worst);
@@ -163,7 +163,7 @@ void ExpectPeriodic(const PeriodicDomain& domain, const QuadWorkflowResult& resu
   const std::vector<LoopArc> arcs(domain.domain.loops.begin(), domain.domain.loops.end());
   for (const int point : second[0])
   {
-    const Point& place = mesh.points[Index(point)].place;
+    const Point place = mesh.points[Index(point)].InPlane();
     EXPECT_LE(
       (arcs[0].At(arcs[0].Nearest(place)) - place).norm(), 1e-10 * domain.domain.Diagonal());
   }

@@ -63,11 +63,11 @@ double Asymmetry(const QuadMesh& mesh, const Point& signs)
   double largest = 0.0;
   for (const QuadPoint& point : mesh.points)
   {
-    const Point image = point.place.cwiseProduct(signs);
-    double nearest = (mesh.points[0].place - image).norm();
+    const Point image = point.InPlane().cwiseProduct(signs);
+    double nearest = (mesh.points[0].InPlane() - image).norm();
     for (const QuadPoint& other : mesh.points)
     {
-      nearest = std::min(nearest, (other.place - image).norm());
+      nearest = std::min(nearest, (other.InPlane() - image).norm());
     }
     largest = std::max(largest, nearest);
   }

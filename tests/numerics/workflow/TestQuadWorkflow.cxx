@@ -42,8 +42,10 @@ void ExpectSamePoints(const QuadMesh& mesh, const QuadMesh& expected, double tol
 bool IsNode(const QuadMesh& mesh, const Singularity& singularity)
 {
   return std::any_of(mesh.points.begin(), mesh.points.end(),
-    [&](const QuadPoint& point) {
-      return point.place == singularity.position && point.quarterIndex == singularity.quarterIndex;
+    [&](const QuadPoint& point)
+    {
+      return point.InPlane() == singularity.position &&
+        point.quarterIndex == singularity.quarterIndex;
     });
 }
 
@@ -168,7 +170,7 @@ TEST(QuadWorkflow, SingularitiesAreAtTheirPositionsAfterRepair)
     const Point& position = result.singularities[i].position;
     largest = std::max(largest, (position - (*request.singularities)[i].position).norm());
     EXPECT_TRUE(std::any_of(result.quads.mesh.points.begin(), result.quads.mesh.points.end(),
-      [&position](const QuadPoint& point) { return (point.place - position).norm() < 1e-9; }));
+      [&position](const QuadPoint& point) { return (point.InPlane() - position).norm() < 1e-9; }));
   }
   EXPECT_EQ(largest, result.repair->largestMove);
   // The report of moves includes the repair.

@@ -95,7 +95,7 @@ void ExpectHoles(const QuadMesh& mesh, const PlanarDomain& domain)
         centre += point / static_cast<double>(hole.size());
       }
       const auto from = [&](int point) -> Point
-      { return mesh.points[static_cast<std::size_t>(point)].place - centre; };
+      { return mesh.points[static_cast<std::size_t>(point)].InPlane() - centre; };
       // Inner loops are clockwise.
       EXPECT_LT(-AngleBetween(from(edge.points[0]), from(edge.points[1])), 0.86 * Pi);
       EXPECT_GT(-AngleBetween(from(edge.points[0]), from(edge.points[1])), 0.0);
