@@ -54,13 +54,12 @@ def modules_of_the_build(text):
 
 
 def modules_of_the_page(text):
-    """Returns module -> modules that it may use, from the table of docs/architecture.md."""
+    """Returns module -> modules that it may use, from docs/architecture.md: the rows of the table, in their order,
+    and the arrows of the drawing."""
     section = text.split("## The modules of the numerics")[1].split("\n## ")[0]
-    modules = {}
-    for line in section.splitlines():
-        cells = [cell.strip() for cell in line.split("|")]
-        if len(cells) == 5 and re.fullmatch(r"`\w+`", cells[1]):
-            modules[cells[1].strip("`")] = set(re.findall(r"`(\w+)`", cells[3]))
+    modules = {name: set() for name in re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE)}
+    for name, used in re.findall(r"^  (\w+) --> (.*)$", section, re.MULTILINE):
+        modules[name] = set(used.split(" & "))
     return modules
 
 
@@ -210,12 +209,12 @@ class Modules(unittest.TestCase):
 
     def test_finds_a_different_dependency(self):
         build = "crossfield_add_module(base)\ncrossfield_add_module(mesh MAY_USE base LIBRARIES X::Y)\n"
-        page = "## The modules of the numerics\n| `base` | a | |\n| `mesh` | b | `base` |\n"
+        page = "## The modules of the numerics\n  mesh --> base\n| `base` | a |\n| `mesh` | b |\n"
         self.assertEqual(modules_of_the_build(build), modules_of_the_page(page))
-        self.assertNotEqual(modules_of_the_build(build), modules_of_the_page(page.replace("`base` |\n", "|\n")))
+        self.assertNotEqual(modules_of_the_build(build), modules_of_the_page(page.replace("  mesh --> base\n", "")))
 
     def test_finds_a_foreign_include(self):
-        page = "| `meshing` | meshes; the only module with CGAL | `mesh` |\n| `algebra` | the only module with LAPACK and OpenMP | |"
+        page = "| `meshing` | meshes; the only module with CGAL |\n| `algebra` | the only module with LAPACK and OpenMP |"
         modules = libraries_of_the_page(page)
         self.assertEqual(modules, {"CGAL": "meshing", "LAPACK": "algebra", "OpenMP": "algebra"})
         files = {("meshing", "A.h"): "#include <CGAL/a.h>\n#include <vector>", ("algebra", "B.cxx"): 'extern "C"\n{\n}'}
@@ -262,6 +261,9 @@ class Modules(unittest.TestCase):
         page = modules_of_the_page((ROOT / "docs" / "architecture.md").read_text())
         folders = {path.name for path in NUMERICS.iterdir() if path.is_dir() and path.name != "cmake"}
         self.assertEqual(build, page)
+        rows = list(page)
+        for name, used in page.items():
+            self.assertLessEqual(used, set(rows[:rows.index(name)]), "%s uses a later module" % name)
         self.assertEqual(set(build), folders)
         self.assertEqual(list(NUMERICS.glob("*.h")) + list(NUMERICS.glob("*.cxx")), [])
 
