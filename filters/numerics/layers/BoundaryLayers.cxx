@@ -2,6 +2,7 @@
 
 #include "BandDivision.h"
 #include "BandLines.h"
+#include "Error.h"
 #include "Index.h"
 #include "LayerRows.h"
 #include "NodePairs.h"
@@ -184,12 +185,7 @@ private:
       RowsToReplace(BandLines(this->Layered, band, walk, this->Curves, 1).Growth());
     if (best > AcceptedStep && available < needed)
     {
-      const std::string lack = this->DescribeLack(band, walk, needed);
-      if (band.end == BandEnd::Irregular)
-      {
-        throw LackOfRows(lack);
-      }
-      throw Error(lack);
+      this->RefuseBand(band, walk, needed);
     }
     return plan;
   }
@@ -231,15 +227,15 @@ private:
     return plan;
   }
 
-  /// Returns a sentence about a band with too few rows.
-  std::string DescribeLack(const QuadBand& band, const QuadWalk& walk, int needed) const
+  /// Throws Error for a band with too few rows.
+  [[noreturn]] void RefuseBand(const QuadBand& band, const QuadWalk& walk, int needed) const
   {
     const auto available = static_cast<int>(band.rows.size());
     const std::string& name = this->PrescriptionOf(band).name;
     const std::string start = "Only " + CountRows(available) + " beside '" + name + "' " +
       (available == 1 ? "is" : "are") + " free of ";
     const std::string place =
-      " near " + Describe(band.place) + ", " + std::to_string(needed) + " are needed; ";
+      " near " + Describe(band.place) + ", " + std::to_string(needed) + " are needed";
     switch (band.end)
     {
     case BandEnd::Irregular:
@@ -257,13 +253,17 @@ private:
           height = lines.Lines()[line].length / available;
         }
       }
-      return start + "irregular nodes" + place + "move the singularities " +
-        FormatNumber((needed - available) * std::max(height, this->QuadSize), 2) + " away.";
+      throw Error(start + "irregular nodes" + place,
+        "move the singularities " +
+          FormatNumber((needed - available) * std::max(height, this->QuadSize), 2) + " away",
+        Error::Kind::LackOfRows);
     }
     case BandEnd::Boundary:
-      return start + "corners and ends of sides" + place + "use smaller quads.";
+      throw Error(
+        start + "corners and ends of sides" + place, "use smaller quads", Error::Kind::BadInput);
     default:
-      return start + "rows of other layers" + place + "use smaller quads, or a larger growth.";
+      throw Error(start + "rows of other layers" + place, "use smaller quads, or a larger growth",
+        Error::Kind::BadInput);
     }
   }
 

@@ -1,18 +1,10 @@
 #pragma once
 
-#include "Error.h"
 #include "LayerReport.h"
 #include "QuadMesher.h"
 
 namespace crossfield
 {
-/// Thrown if irregular points leave too few rows beside a side for its layer.
-class LackOfRows : public Error
-{
-public:
-  using Error::Error;
-};
-
 /// Throws Error if a prescription has impossible numbers, or is for none of the sides.
 void RequireLayers(
   const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides);
@@ -22,9 +14,9 @@ void RequireLayers(
 /// are. The blocks are divided along the bands. `domain` is that of the mesh, whose symmetries the
 /// result keeps.
 ///
-/// Throws Error as RequireLayers does, if the first height of a side is not less than the rows there, and if
-/// periodic sides have different numbers of nodes afterwards, or
-/// LackOfRows if too few rows beside it are free of irregular points.
+/// Throws Error as RequireLayers does, if the first height of a side is not less than the rows there, if
+/// periodic sides have different numbers of nodes afterwards, and, of kind LackOfRows, if too few rows beside
+/// it are free of irregular points.
 std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,
   const std::vector<LayerPrescription>& prescriptions, QuadResult& quads);
 }

@@ -1,6 +1,5 @@
 #include "SeamlessMapSolve.h"
 
-#include "CoarseMeshError.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "FlatMetric.h"
@@ -133,15 +132,16 @@ std::string Rounded(double value)
   constexpr double Harmless = 4.0 * Pi / 180.0;
   if (worst != holonomyDefect.end() && std::abs(*worst) > Harmless)
   {
-    throw CoarseMeshError(what + ", because the grid lines around inner loop " +
-      std::to_string(worst - holonomyDefect.begin() + 1) + " do not close up by " +
-      CrossAngle(*worst) + " and a map that closes them (predicted stretch " +
-      Rounded(report.PredictedStretch()) +
-      " : 1) was not found; move singularities to positions where they close up.");
+    throw Error(what + ", because the grid lines around inner loop " +
+        std::to_string(worst - holonomyDefect.begin() + 1) + " do not close up by " +
+        CrossAngle(*worst) + " and a map that closes them (predicted stretch " +
+        Rounded(report.PredictedStretch()) + " : 1) was not found",
+      "move singularities to positions where they close up", Error::Kind::CoarseMesh);
   }
-  throw CoarseMeshError(what +
-    "; use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities "
-    "away from each other and from the boundary.");
+  throw Error(what,
+    "use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities away "
+    "from each other and from the boundary",
+    Error::Kind::CoarseMesh);
 }
 }
 

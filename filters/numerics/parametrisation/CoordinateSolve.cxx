@@ -1,7 +1,7 @@
 #include "CoordinateSolve.h"
 
-#include "CoarseMeshError.h"
 #include "DissectedCholesky.h"
+#include "Error.h"
 #include "Index.h"
 #include "P1Laplacian.h"
 #include "SymmetricAssembly.h"
@@ -164,9 +164,9 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
   }
   if (order.ground.empty())
   {
-    throw CoarseMeshError(
-      "The mesh is too coarse for a seamless map: every vertex is on a seam or on the "
-      "boundary; use a finer mesh.");
+    throw Error(
+      "The mesh is too coarse for a seamless map: every vertex is on a seam or on the boundary",
+      "use a finer mesh", Error::Kind::CoarseMesh);
   }
   return order;
 }

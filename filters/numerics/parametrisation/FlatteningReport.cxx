@@ -1,5 +1,6 @@
 #include "FlatteningReport.h"
 
+#include "Error.h"
 #include "Plane.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 
 namespace crossfield
 {
-std::string DescribeStretch(const FlatteningReport& report)
+std::string DescribeStretch(const FlatteningReport& report, const std::string& remedy)
 {
   if (!(report.predictedStrain > 0.0))
   {
@@ -21,7 +22,7 @@ std::string DescribeStretch(const FlatteningReport& report)
   text << "Quads are stretched by about " << std::fixed << std::setprecision(1)
        << report.PredictedStretch() << " : 1, because the grid lines around inner loop "
        << largest - report.loopDefects.begin() + 1 << " do not close up by " << std::setprecision(0)
-       << std::abs(*largest) * 180.0 / Pi << "°.";
-  return text.str();
+       << std::abs(*largest) * 180.0 / Pi << "°";
+  return Sentence(text.str(), remedy);
 }
 }

@@ -36,7 +36,7 @@ struct FlatteningReport
 /// have a minimum scaled Jacobian below 0.3, and 10 of the 45 below it.
 constexpr double NoticeableStretch = 2.0;
 
-/// Returns a sentence about the predicted stretch and the inner loop with the largest defect; empty
-/// if no inner loop had to be turned.
-std::string DescribeStretch(const FlatteningReport& report);
+/// Returns a sentence about the predicted stretch and the inner loop with the largest defect, with a
+/// clause that offers a remedy unless it is empty; an empty one if no inner loop had to be turned.
+std::string DescribeStretch(const FlatteningReport& report, const std::string& remedy = {});
 }

@@ -1,7 +1,7 @@
 #include "TargetSolve.h"
 
-#include "CoarseMeshError.h"
 #include "CoordinateSolve.h"
+#include "Error.h"
 #include "Index.h"
 #include "SeamEquations.h"
 #include "TriangleArea.h"
@@ -46,9 +46,9 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
       // Hinges are angles up to whole turns.
       if (other >= 0 && Modulo4(jump) != 0 && !cut.isCut[Index(topology.EdgeOf(t, side))])
       {
-        throw CoarseMeshError("The cross field has a singularity near " +
-          topology.Where(topology.mesh.triangles[Index(t)][Index(side)]) +
-          " that was not given; use a finer mesh there.");
+        throw Error("The cross field has a singularity near " +
+            topology.Where(topology.mesh.triangles[Index(t)][Index(side)]) + " that was not given",
+          "use a finer mesh there", Error::Kind::CoarseMesh);
       }
     }
   }

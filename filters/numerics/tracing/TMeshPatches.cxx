@@ -1,6 +1,6 @@
 #include "TMeshPatches.h"
 
-#include "CoarseMeshError.h"
+#include "Error.h"
 #include "Index.h"
 #include "TMeshArcs.h"
 
@@ -62,8 +62,9 @@ std::vector<int> LinkHalfEdges(TMesh& mesh)
 
 [[noreturn]] void ThrowNoRectangles(const SpacePoint& location)
 {
-  throw CoarseMeshError("The separatrices do not divide the domain into rectangles near " +
-    Describe(Point(location.head<2>())) + "; use a finer mesh.");
+  throw Error("The separatrices do not divide the domain into rectangles near " +
+      Describe(Point(location.head<2>())),
+    "use a finer mesh", Error::Kind::CoarseMesh);
 }
 
 /// Follows the links around every patch and collects its sides.

@@ -1,6 +1,6 @@
 #include "TraceGraph.h"
 
-#include "CoarseMeshError.h"
+#include "Error.h"
 #include "Index.h"
 
 #include <algorithm>
@@ -158,7 +158,8 @@ private:
     }
     if (last.exitLength > LongestLine * this->Extent)
     {
-      throw CoarseMeshError("A separatrix of the seamless map does not end; use a finer mesh.");
+      throw Error("A separatrix of the seamless map does not end", "use a finer mesh",
+        Error::Kind::CoarseMesh);
     }
     line.segments.push_back(this->Walk.Continue(last));
     this->Enter(number);
@@ -171,11 +172,12 @@ private:
     constexpr std::size_t MaximumComparisons = 500;
     if (this->Comparisons > MaximumComparisons * this->Latest.size())
     {
-      throw CoarseMeshError("The separatrices of the seamless map wind around a narrow part of the "
-                            "domain near " +
-        this->Topology.Where(this->Topology.mesh.triangles[Index(segment.triangle)][0]) +
-        " too often to be traced; use a finer mesh, or move singularities away from each other and "
-        "from the boundary.");
+      throw Error("The separatrices of the seamless map wind around a narrow part of the "
+                  "domain near " +
+          this->Topology.Where(this->Topology.mesh.triangles[Index(segment.triangle)][0]) +
+          " too often to be traced",
+        "use a finer mesh, or move singularities away from each other and from the boundary",
+        Error::Kind::CoarseMesh);
     }
   }
 

@@ -1,6 +1,6 @@
 #include "VertexFan.h"
 
-#include "CoarseMeshError.h"
+#include "Error.h"
 #include "Index.h"
 
 #include <algorithm>
@@ -104,10 +104,10 @@ public:
     const auto expected = static_cast<std::size_t>(cone.Quarters() - (cone.onBoundary ? 1 : 0));
     if (total != 2 * cone.Quarters() || departures.size() != expected)
     {
-      throw CoarseMeshError("The triangles of the seamless map around " +
-        this->Topology.Where(cone.vertex) + " add up to " + std::to_string(total) +
-        " eighths of a turn instead of " + std::to_string(2 * cone.Quarters()) +
-        "; use a finer mesh there.");
+      throw Error("The triangles of the seamless map around " + this->Topology.Where(cone.vertex) +
+          " add up to " + std::to_string(total) + " eighths of a turn instead of " +
+          std::to_string(2 * cone.Quarters()),
+        "use a finer mesh there", Error::Kind::CoarseMesh);
     }
     return departures;
   }

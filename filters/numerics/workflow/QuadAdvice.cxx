@@ -1,8 +1,8 @@
 #include "QuadAdvice.h"
 
 #include "DomainQueries.h"
-#include "Error.h"
 #include "OptimizerReport.h"
+#include "Outcome.h"
 #include "SmoothBoundary.h"
 
 #include <sstream>
@@ -85,17 +85,14 @@ std::optional<SmallerSize> FindSmallerSize(
       break;
     }
     const double size = std::stod(FormatShort(quads.size / factor)); // as it is printed
-    try
-    {
-      const QuadResult smaller = mesh(size);
-      if (smaller.quality.jacobian.min > Valid)
-      {
-        return SmallerSize{ size, smaller.mesh.quads.size() };
-      }
-    }
-    catch (const Error&)
+    const Outcome<QuadResult> smaller = Try([&] { return mesh(size); });
+    if (!smaller.value)
     {
       break;
+    }
+    if (smaller.value->quality.jacobian.min > Valid)
+    {
+      return SmallerSize{ size, smaller.value->mesh.quads.size() };
     }
   }
   return std::nullopt;
@@ -107,14 +104,15 @@ double FindSmoothing(const PlanarDomain& domain, const std::vector<Point>& kept,
   for (const double part : { 400.0, 200.0, 100.0, 50.0 })
   {
     const double length = std::stod(FormatShort(domain.Diagonal() / part)); // as it is printed
-    try
+    const Outcome<bool> outcome = Try(
+      [&]
+      {
+        mesh(SmoothBoundary(domain, length, kept).domain);
+        return true;
+      });
+    if (outcome.value)
     {
-      mesh(SmoothBoundary(domain, length, kept).domain);
       return length;
-    }
-    catch (const Error&)
-    {
-      continue;
     }
   }
   return 0.0;
@@ -148,44 +146,24 @@ std::string RepairAdvice(const HolonomyRepair& repair)
 {
   std::ostringstream text;
   text.precision(3);
-  text << "; the repair of the holonomy (RepairHolonomy, --repair-holonomy) avoids this and moves "
+  text << "the repair of the holonomy (RepairHolonomy, --repair-holonomy) avoids this and moves "
           "singularities by up to "
        << repair.largestMove;
   return text.str();
 }
 
-std::string SmoothingAdvice(double length, bool singularitiesAreGiven)
+Error WithSmoothing(const Error& error, double length, bool singularitiesAreGiven)
 {
-  std::ostringstream text;
   if (length > 0.0)
   {
-    text << "; smooth the boundary with a length of " << length
+    std::ostringstream text;
+    text << "smooth the boundary with a length of " << length
          << " (SmoothingLength of Boundary Simplifier, --smooth-boundary)";
+    return { error.GetCause(), text.str(), error.GetKind() };
   }
-  else if (singularitiesAreGiven)
-  {
-    text << " on a finer mesh as well; move singularities away from each other and from the "
-            "boundary";
-  }
-  else
-  {
-    text << " on a finer mesh as well; give other singularities";
-  }
-  return text.str();
-}
-
-std::string WithoutRemedy(std::string sentence)
-{
-  const std::size_t remedy = sentence.rfind("; ");
-  return remedy == std::string::npos ? sentence : sentence.substr(0, remedy) + ".";
-}
-
-std::string WithAdvice(std::string sentence, const std::string& clause)
-{
-  if (!sentence.empty() && sentence.back() == '.')
-  {
-    sentence.pop_back();
-  }
-  return sentence + clause + ".";
+  return { error.GetCause() + " on a finer mesh as well",
+    singularitiesAreGiven ? "move singularities away from each other and from the boundary"
+                          : "give other singularities",
+    error.GetKind() };
 }
 }

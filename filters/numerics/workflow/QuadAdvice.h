@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
+#include "Error.h"
 #include "HolonomyRepair.h"
 #include "PlanarDomain.h"
 #include "QuadMesher.h"
@@ -53,13 +54,7 @@ std::string DescribeInverted(const QuadQuality& quality, const std::optional<Sma
 /// Returns the clause that offers a repair of the holonomy that was found to work.
 std::string RepairAdvice(const HolonomyRepair& repair);
 
-/// Returns the clause that offers smoothing with a length that was found to work, or, if it is 0,
-/// other singularities.
-std::string SmoothingAdvice(double length, bool singularitiesAreGiven);
-
-/// Returns a sentence without the clause after its last semicolon.
-std::string WithoutRemedy(std::string sentence);
-
-/// Returns a sentence with another clause before its full stop.
-std::string WithAdvice(std::string sentence, const std::string& clause);
+/// Returns an error that a finer mesh did not cure, with a remedy: smoothing with a length that was found
+/// to work or, if it is 0, other singularities.
+Error WithSmoothing(const Error& error, double length, bool singularitiesAreGiven);
 }

@@ -111,9 +111,10 @@ struct QuadWorkflowResult
   /// was refined; one
   /// sentence each.
   std::vector<std::string> events;
-  std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
-  std::optional<HolonomyRepair> repair;       ///< If it was requested.
-  std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
+  std::vector<std::string> attempts;      ///< What was tried, with its result; one sentence each.
+  std::optional<OptimizerResult> optimum; ///< Run that chose them, unless they were given.
+  std::optional<HolonomyRepair> repair;   ///< If it was requested.
+  std::vector<double> holonomyDefect;     ///< Defects of the map per inner loop, radians.
   std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
   /// What is wrong with the mesh, and what helps where something was found that does: positions of
   /// chosen singularities that are no minimum, another number of quads than requested, nodes of

@@ -4,8 +4,49 @@
 
 namespace crossfield
 {
-/// Runs the steps of MakeQuadMesh once, without trying remedies, for a request of WithSideSizes; throws
-/// Error as it does.
-QuadWorkflowResult RunQuadSteps(
-  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress);
+/// The steps from a request of WithSideSizes to its quads, without trying remedies: places singularities,
+/// lays them out, makes quads. A copy made after Place continues from there.
+class QuadSteps
+{
+public:
+  /// `seconds` adds up the time of all steps, also of copies. Throws Error as RequireLayers does.
+  QuadSteps(const PlanarDomain& domain, QuadRequest request, QuadSeconds& seconds);
+
+  /// Chooses singularities unless they are given, splits indices and repairs the holonomy on request.
+  /// Throws Error as ChooseSingularities, RequireNodes and RepairForMap do.
+  void Place(const Progress& progress);
+  /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or there
+  /// is nothing to repair.
+  void RepairHolonomy();
+  /// Meshes with edges divided by `refinement` (MeshThroughPoints), solves for the map, traces the
+  /// separatrices, makes quads, merges blocks and adds layers. Throws Error as MeshThroughPoints, LayOut,
+  /// MakeQuads and AddLayers do.
+  QuadWorkflowResult MakeQuads(double refinement, const Progress& progress);
+
+  void DoNotMerge() { this->Request.merge = BlockMerge::None; }
+  void AddEvent(const std::string& event) { this->Result.events.push_back(event); }
+
+private:
+  void Choose(const Progress& progress);
+  void Split();
+  void RepairOnRequest(const Progress& progress);
+  Layout MakeLayout(double refinement, const Progress& progress);
+  void MakeQuadsOf(Layout layout, const Progress& progress);
+  std::vector<CountedCorner> CornersOn(const PlanarTopology& topology) const;
+  void Describe(const Layout& layout);
+  void AddEvents(const std::vector<std::string>& events);
+  void UseRepair(HolonomyRepair repair);
+  std::optional<HolonomyRepair> FindRepair() const;
+  void AddWarnings();
+  double SideLength() const;
+
+  const PlanarDomain& Domain;
+  /// The request; with layers, quadCount is the number of quads before they are added.
+  QuadRequest Request;
+  const int Total; ///< Requested number of quads.
+  SeamlessMapOptions MapOptions;
+  Configuration Started; ///< The singularities before they were repaired.
+  QuadWorkflowResult Result;
+  QuadSeconds& Seconds;
+};
 }

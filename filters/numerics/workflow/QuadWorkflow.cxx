@@ -1,12 +1,12 @@
 #include "QuadWorkflow.h"
 
-#include "CoarseMeshError.h"
 #include "CurveSteps.h"
-#include "LayerRuns.h"
 #include "LayerSteps.h"
+#include "Outcome.h"
 #include "PeriodicSteps.h"
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
+#include "QuadAttempts.h"
 #include "QuadBudget.h"
 #include "SideSizes.h"
 
@@ -47,14 +47,14 @@ QuadWorkflowResult MakeQuadMesh(
   const QuadRequest given = WithPeriodicSides(domain, curved.request);
   const QuadRequest request = WithSideSizes(domain, given);
   const Progress trial = progress.Part(1.0, 1.0);
-  QuadWorkflowResult result;
-  try
+  Outcome<QuadWorkflowResult> outcome =
+    Try([&] { return MakeAttempts(domain, request, progress); });
+  if (!outcome.value)
   {
-    result = RunWithLayers(domain, request, progress);
-  }
-  catch (const CoarseMeshError& error)
-  {
-    // Its remedy, a finer mesh, was tried.
+    if (outcome.error->GetKind() != Error::Kind::CoarseMesh)
+    {
+      throw Error(*outcome.error);
+    }
     std::vector<Point> kept = request.sides.FixedPlaces();
     for (const CornerChoice& corner : CompleteCorners(domain, request))
     {
@@ -66,10 +66,10 @@ QuadWorkflowResult MakeQuadMesh(
     }
     const double length = FindSmoothing(domain, kept,
       [&](const PlanarDomain& smooth)
-      { RunWithLayers(smooth, WithSideSizes(smooth, given), trial); });
-    throw Error(WithAdvice(
-      WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
+      { MakeAttempts(smooth, WithSideSizes(smooth, given), trial); });
+    throw WithSmoothing(*outcome.error, length, request.singularities.has_value());
   }
+  QuadWorkflowResult result = std::move(*outcome.value);
   if (result.quads.quality.inverted > 0 && DescribeFlatNodes(domain, result.singularities).empty())
   {
     std::optional<SmallerSize> smaller;
@@ -80,7 +80,7 @@ QuadWorkflowResult MakeQuadMesh(
         {
           QuadRequest other = request;
           other.quadSize = size;
-          return RunWithLayers(domain, other, trial).quads;
+          return MakeAttempts(domain, other, trial).quads;
         });
     }
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
