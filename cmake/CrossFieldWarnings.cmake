@@ -17,7 +17,6 @@ set(crossfield_warnings
   -Wold-style-cast
   -Woverloaded-virtual
   -Wshadow
-  -Wsign-conversion
   -Wundef)
 if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND crossfield_warnings -Wduplicated-branches -Wduplicated-cond -Wlogical-op)

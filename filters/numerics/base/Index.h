@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// Converts a non-negative index to the index type of standard containers.
+/// Converts a non-negative number for products that may exceed int and comparisons with sizes.
 inline std::size_t Index(int i)
 {
   return static_cast<std::size_t>(i);

@@ -34,7 +34,7 @@ public:
     {
       for (const int point : points)
       {
-        this->Number[Index(point)] = 1;
+        this->Number[point] = 1;
       }
     }
     for (std::size_t point = 0; point < this->Number.size(); ++point)
@@ -54,7 +54,7 @@ public:
     {
       for (const int point : used)
       {
-        this->AddFloat(static_cast<float>(this->Mesh.points[Index(point)][axis]));
+        this->AddFloat(static_cast<float>(this->Mesh.points[point][axis]));
       }
     }
     this->AddLine(type);
@@ -63,12 +63,12 @@ public:
     {
       for (const int point : points)
       {
-        this->AddInteger(this->Number[Index(point)]);
+        this->AddInteger(this->Number[point]);
       }
     }
     for (const int point : used)
     {
-      this->Number[Index(point)] = 0;
+      this->Number[point] = 0;
     }
   }
 
@@ -124,12 +124,12 @@ std::string WriteEnSightGeometry(const SolverMesh& mesh)
   std::vector<std::vector<std::vector<int>>> parts(names.size()); // elements
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    parts[Index(mesh.region[Index(cell)])].push_back(nodes.OfCell(cell));
+    parts[mesh.region[cell]].push_back(nodes.OfCell(cell));
   }
   for (int face = 0; face < mesh.FaceCount(); ++face)
   {
-    parts[mesh.regionNames.size() + Index(mesh.side[Index(face)])].push_back(
-      nodes.OfFace(faces.BoundaryFaces()[Index(face)]));
+    parts[mesh.regionNames.size() + Index(mesh.side[face])].push_back(
+      nodes.OfFace(faces.BoundaryFaces()[face]));
   }
   for (std::size_t part = 0; part < parts.size(); ++part)
   {

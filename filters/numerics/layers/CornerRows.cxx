@@ -1,6 +1,6 @@
 #include "CornerRows.h"
 
-#include "Error.h"
+#include "Outcome.h"
 #include "PoincareHopf.h"
 
 #include <algorithm>
@@ -30,15 +30,7 @@ int Rank(const CornerRule& rule)
 
 bool IsPossible(const Corner& corner, CornerRows rows)
 {
-  try
-  {
-    QuarterIndexFor(corner, rows);
-    return true;
-  }
-  catch (const Error&)
-  {
-    return false;
-  }
+  return Try([&] { return QuarterIndexFor(corner, rows); }).value.has_value();
 }
 
 bool Applies(

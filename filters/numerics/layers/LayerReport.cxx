@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  Point PlaceOf(int point) const { return this->Layered.mesh.points[Index(point)].InPlane(); }
+  Point PlaceOf(int point) const { return this->Layered.mesh.points[point].InPlane(); }
 
   const LayeredMesh& Layered;
   const QuadWalk& Walk;

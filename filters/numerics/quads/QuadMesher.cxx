@@ -8,6 +8,7 @@
 #include "Error.h"
 #include "GradedArcs.h"
 #include "MemoryBudget.h"
+#include "MeshGrade.h"
 #include "MoveInside.h"
 #include "NodePairs.h"
 #include "PairedArcs.h"
@@ -120,7 +121,6 @@ public:
                          return candidate.blocks.blocks.size() >= this->Result.blocks.blocks.size();
                        }),
       candidates.end());
-    const double minimum = AcceptedFraction * this->Result.quality.jacobian.min;
     const auto count = static_cast<double>(candidates.size());
     ProgressOfParts shared(progress);
     AcceptFirst(
@@ -135,7 +135,7 @@ public:
       },
       [&](std::size_t, QuadResult candidate)
       {
-        if (candidate.quality.inverted > 0 || candidate.quality.jacobian.min < minimum)
+        if (!IsAsGood(candidate.quality, this->Result.quality, CoarseTolerance))
         {
           return false;
         }
@@ -146,10 +146,6 @@ public:
   }
 
 private:
-  /// A coarse mesh is accepted if its minimum scaled Jacobian is this fraction of that with all
-  /// blocks.
-  static constexpr double AcceptedFraction = 0.5;
-
   /// Returns all sums of edge counts that the options prescribe.
   static std::vector<CountSum> SumsOf(const SeamlessMap& map, const std::vector<PairedSides>& pairs,
     const MeshBoundary& curves, const QuadOptions& options, const TMesh& tMesh)

@@ -1,10 +1,8 @@
 #include "CleanBlocks.h"
 
 #include "Candidates.h"
-#include "Error.h"
-#include "Index.h"
 #include "MeshForPoints.h"
-#include "SizeSearch.h"
+#include "Outcome.h"
 
 #include <algorithm>
 #include <array>
@@ -19,24 +17,6 @@ namespace
 /// Ratios of coarse quads. Each one merges more arcs than the last. The first one merges only arcs that
 /// have no blocks between them already, which makes the quads there better.
 constexpr std::array<double, 8> Coarseness = { 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0 };
-
-/// Returns whether a mesh has the requested number of quads, if one was requested and the start has
-/// it.
-bool KeepsCount(const QuadResult& candidate, const QuadResult& start, const QuadOptions& options)
-{
-  const auto error = [&](const QuadResult& result)
-  { return std::abs(static_cast<double>(result.mesh.quads.size()) / options.quadCount - 1.0); };
-  return options.quadSize > 0.0 || error(candidate) <= std::max(CountTolerance, error(start));
-}
-
-/// Returns whether the quads of a smoothed mesh are as good as those of the start, within the limits
-/// of IsCleaner.
-bool IsAsGood(const QuadQuality& quality, const QuadQuality& start)
-{
-  return quality.inverted == 0 && quality.jacobian.min >= start.jacobian.min - 0.02 &&
-    quality.jacobian.mean >= start.jacobian.mean - 0.002 &&
-    quality.variation <= std::max(1.35 * start.variation, start.variation + 0.05);
-}
 
 /// Returns the number of maps that the options allow for a number of singularities.
 int MapsWithin(const CleanOptions& options, std::size_t singularities)
@@ -61,7 +41,7 @@ struct Attempt
 };
 
 /// Result of an attempt.
-struct Outcome
+struct AttemptResult
 {
   int maps = 0; ///< Number of maps that were solved.
   LayoutSet layouts;
@@ -110,7 +90,7 @@ public:
           return this->Evaluate(
             attempts[a], shared.Get().Part(ratio / count, (ratio + 1.0) / count));
         },
-        [&](std::size_t a, Outcome outcome)
+        [&](std::size_t a, AttemptResult outcome)
         {
           next = attempts[a].ratio + 1;
           return this->Accepts(attempts[a], std::move(outcome), shared.Get().Part(1.0, 1.0));
@@ -171,9 +151,9 @@ private:
     return attempts;
   }
 
-  Outcome Evaluate(const Attempt& attempt, const Progress& progress)
+  AttemptResult Evaluate(const Attempt& attempt, const Progress& progress)
   {
-    Outcome outcome;
+    AttemptResult outcome;
     const ClosingOptions options = this->OptionsFor(attempt.ratio);
     if (options.maximumMaps <= 0)
     {
@@ -183,22 +163,15 @@ private:
       CloseLayout(this->Domain, this->StartOf(attempt).layout, options, progress);
     outcome.maps = closed.maps;
     outcome.layouts = LayoutSet(std::move(closed.layout), this->Result.mesh.layouts.pairs);
-    try
+    if (outcome.maps > 0)
     {
-      if (outcome.maps > 0)
-      {
-        outcome.quads = MakeQuads(outcome.layouts, this->Options.quads);
-      }
-    }
-    catch (const Error&)
-    {
-      // The layout has no quad mesh.
+      outcome.quads = Try([&] { return MakeQuads(outcome.layouts, this->Options.quads); }).value;
     }
     return outcome;
   }
 
   /// Takes the outcome of an attempt as the result if it is better.
-  bool Accepts(const Attempt& attempt, Outcome outcome, const Progress& progress)
+  bool Accepts(const Attempt& attempt, AttemptResult outcome, const Progress& progress)
   {
     const ClosingOptions options = this->OptionsFor(attempt.ratio);
     if (outcome.maps > std::max(0, options.maximumMaps))
@@ -208,9 +181,9 @@ private:
     }
     this->StartOf(attempt).tried = attempt.arcs;
     this->Result.maps += outcome.maps;
-    if (!outcome.quads || !IsAsGood(outcome.quads->quality, this->Start.quality) ||
-      !KeepsCount(*outcome.quads, this->Start, this->Options.quads) ||
-      !IsBetter(*outcome.quads, this->Result.mesh.quads))
+    if (!outcome.quads || !IsAsGood(outcome.quads->quality, this->Start.quality, CleanTolerance) ||
+      this->CountExcessOf(*outcome.quads) > this->CountExcessOf(this->Start) ||
+      !IsCoarser(*outcome.quads, this->Result.mesh.quads))
     {
       return false;
     }
@@ -225,6 +198,11 @@ private:
     return true;
   }
 
+  double CountExcessOf(const QuadResult& quads) const
+  {
+    return CountExcess(quads, this->Options.quads.quadSize, this->Options.quads.quadCount);
+  }
+
   const PlanarDomain& Domain;
   const CleanOptions& Options;
   const int MaximumMaps;
@@ -234,19 +212,6 @@ private:
   ClosingOptions Closing;
   CleanBlocksResult Result;
 };
-}
-
-bool IsCleaner(const QuadResult& candidate, const QuadResult& start)
-{
-  return candidate.blocks.blocks.size() < start.blocks.blocks.size() &&
-    IsAsGood(candidate.quality, start.quality);
-}
-
-bool IsBetter(const QuadResult& a, const QuadResult& b)
-{
-  const std::size_t blocks = a.blocks.blocks.size();
-  const std::size_t others = b.blocks.blocks.size();
-  return blocks != others ? blocks < others : a.quality.jacobian.min > b.quality.jacobian.min;
 }
 
 CleanBlocksResult CleanBlocks(const PlanarDomain& domain, MeshedLayout start,

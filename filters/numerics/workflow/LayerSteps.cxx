@@ -1,7 +1,7 @@
 #include "LayerSteps.h"
 
-#include "Error.h"
 #include "LayerRows.h"
+#include "Outcome.h"
 #include "QuadSides.h"
 #include "SizeSearch.h"
 
@@ -31,7 +31,7 @@ public:
   {
     const LoopArc& arc = this->Arcs[loop];
     const double middle = 0.5 * (arc.Start(segment) + arc.Start(segment + 1));
-    return this->Sides.names[static_cast<std::size_t>(this->Along.At(loop, middle))];
+    return this->Sides.names[this->Along.At(loop, middle)];
   }
 
   double LengthOf(std::size_t loop, std::size_t segment) const
@@ -145,7 +145,7 @@ std::vector<std::array<Point, 2>> EndsOfPeriodicSides(
     const SideSpan first = FindSpan(request.sides, loops, pair.first);
     const SideSpan second = FindSpan(request.sides, loops, pair.second);
     const auto at = [&loops](const SideSpan& span, double length)
-    { return loops[static_cast<std::size_t>(span.loop)].At(span.start + length); };
+    { return loops[span.loop].At(span.start + length); };
     ends.push_back({ at(first, 0.0), at(second, second.length) });
     ends.push_back({ at(first, first.length), at(second, 0.0) });
   }
@@ -255,8 +255,7 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
     {
       if (const LayerPrescription* layer = FindLayer(request, names.At(l, segment)))
       {
-        lengths[static_cast<std::size_t>(layer - request.layers.data())] +=
-          names.LengthOf(l, segment);
+        lengths[layer - request.layers.data()] += names.LengthOf(l, segment);
       }
     }
   }
@@ -298,11 +297,12 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const Qua
   double smallest = 0.0;
   for (int tries = 1;; ++tries)
   {
-    try
+    const auto before = static_cast<int>(quads.mesh.quads.size());
+    const std::vector<SideMeasure> sides = MeasureSides(quads.mesh);
+    Outcome<std::vector<LayerReport>> layers =
+      Try([&] { return AddLayers(domain, curves, request.layers, quads); });
+    if (layers.value)
     {
-      const auto before = static_cast<int>(quads.mesh.quads.size());
-      const std::vector<SideMeasure> sides = MeasureSides(quads.mesh);
-      const std::vector<LayerReport> layers = AddLayers(domain, curves, request.layers, quads);
       sideCounts.Compare(sides, quads.mesh, options.prescribed);
       const auto after = static_cast<int>(quads.mesh.quads.size());
       const double error =
@@ -312,17 +312,21 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const Qua
         best = std::move(quads);
         bestCount = options.quadCount;
         smallest = error;
-        reports = layers;
+        reports = std::move(*layers.value);
       }
       options.quadCount = CorrectCount(before, after, total);
     }
-    catch (const LackOfRows&)
+    else if (layers.error->GetKind() != Error::Kind::LackOfRows)
     {
-      if (!best)
-      {
-        sideCounts.Require();
-        throw;
-      }
+      throw Error(*layers.error);
+    }
+    else if (!best)
+    {
+      sideCounts.Require();
+      throw Error(*layers.error);
+    }
+    else
+    {
       // Larger quads leave too little room; halfway to those that did not.
       options.quadCount = (options.quadCount + bestCount) / 2;
     }
@@ -330,16 +334,14 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const Qua
     {
       break;
     }
-    try
-    {
-      quads = MakeQuads(layouts, options);
-    }
-    catch (const Error&)
+    Outcome<QuadResult> next = Try([&] { return MakeQuads(layouts, options); });
+    if (!next.value)
     {
       // The corrected numbers of edges contradict each other.
       sideCounts.Require();
-      throw;
+      throw Error(*next.error);
     }
+    quads = std::move(*next.value);
   }
   if (!best)
   {

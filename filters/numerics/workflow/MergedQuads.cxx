@@ -84,11 +84,11 @@ void Merge(const MeshedLayout& start, const SeamlessMapOptions& map, MergedQuads
       results.push_back(std::move(result));
       return false;
     });
-  if (IsBetter(results[0].quads, clean.quads))
+  if (IsCoarser(results[0].quads, clean.quads))
   {
     clean.quads = std::move(results[0].quads);
   }
-  if (isMoved && IsBetter(results[1].quads, clean.quads))
+  if (isMoved && IsCoarser(results[1].quads, clean.quads))
   {
     clean = std::move(results[1]);
     merged.map = map;

@@ -1,9 +1,9 @@
 #include "PatternStart.h"
 
 #include "CrossDirection.h"
-#include "Error.h"
 #include "HolePattern.h"
 #include "MeshForPoints.h"
+#include "Outcome.h"
 #include "RequestedSingularities.h"
 
 #include <sstream>
@@ -20,38 +20,44 @@ bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, Me
   {
     return false;
   }
-  try
-  {
-    const PlanarDomain filled = FillHoles(domain, holes);
-    AutomaticConfiguration choice = ChooseSingularities(filled, request, progress.Part(0.0, 0.5));
-    SeamlessMapOptions map = options.map;
-    map.corners = choice.corners;
-    const auto layOut = [&](const PlanarDomain& on, const Configuration& singularities)
+  SeamlessMapOptions map = options.map;
+  Outcome<MeshedLayout> pattern = Try(
+    [&]
     {
-      return LayOut(ShareTopology(MeshThroughPoints(on, singularities, options.meshSize)),
-        singularities, map, true);
-    };
-    const Layout field = layOut(filled, choice.singularities);
-    Configuration singularities =
-      PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes)));
-    singularities.insert(
-      singularities.end(), choice.singularities.begin(), choice.singularities.end());
-    LayoutSet layouts(layOut(domain, singularities), start.layouts.pairs);
-    QuadResult quads = MakeQuads(layouts, options.quads);
-    progress.Report(1.0);
-    if (IsCleaner(quads, start.quads) &&
-      HasRequestedCount(request, quads) >= HasRequestedCount(request, start.quads))
-    {
-      start = { std::move(layouts), std::move(quads) };
-      options.map = std::move(map);
-      return true;
-    }
-  }
-  catch (const Error&)
+      const PlanarDomain filled = FillHoles(domain, holes);
+      AutomaticConfiguration choice = ChooseSingularities(filled, request, progress.Part(0.0, 0.5));
+      map.corners = choice.corners;
+      const auto layOut = [&](const PlanarDomain& on, const Configuration& singularities)
+      {
+        return LayOut(ShareTopology(MeshThroughPoints(on, singularities, options.meshSize)),
+          singularities, map, true);
+      };
+      const Layout field = layOut(filled, choice.singularities);
+      Configuration singularities =
+        PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes)));
+      singularities.insert(
+        singularities.end(), choice.singularities.begin(), choice.singularities.end());
+      LayoutSet layouts(layOut(domain, singularities), start.layouts.pairs);
+      QuadResult quads = MakeQuads(layouts, options.quads);
+      return MeshedLayout{ std::move(layouts), std::move(quads) };
+    });
+  progress.Report(1.0);
+  if (!pattern.value)
   {
     return false; // the pattern has no layout
   }
-  return false;
+  const QuadResult& quads = pattern.value->quads;
+  const auto excess = [&](const QuadResult& result)
+  { return CountExcess(result, request.quadSize, request.quadCount); };
+  if (quads.blocks.blocks.size() >= start.quads.blocks.blocks.size() ||
+    !IsAsGood(quads.quality, start.quads.quality, CleanTolerance) ||
+    excess(quads) > excess(start.quads))
+  {
+    return false;
+  }
+  start = std::move(*pattern.value);
+  options.map = std::move(map);
+  return true;
 }
 
 std::string DescribeClean(const CleanBlocksResult& clean, bool isPattern, const BlockCounts& blocks)

@@ -8,9 +8,9 @@
 namespace crossfield
 {
 /// Tries four singularities around every round hole and the singularities of the domain with the
-/// holes filled (docs/method.md §14.10). Replaces the start, and the corners of the options, if the
-/// mesh may replace it (IsCleaner) and has the requested number of quads if the start has. Returns
-/// whether it did.
+/// holes filled (docs/method.md §14.10). Replaces the start, and the corners of the options, if the mesh
+/// has fewer blocks, is as good (CleanTolerance), and its number of quads is as near to the requested
+/// one. Returns whether it did.
 bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, MeshedLayout& start,
   CleanOptions& options, const Progress& progress);
 

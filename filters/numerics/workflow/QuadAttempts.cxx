@@ -1,6 +1,7 @@
 #include "QuadAttempts.h"
 
 #include "LayerSteps.h"
+#include "MeshGrade.h"
 #include "OptimizerReport.h"
 #include "Outcome.h"
 #include "PoincareHopf.h"
@@ -170,8 +171,6 @@ private:
   /// Stores what an attempt led to, and its quads if they are the best.
   void Store(const QuadAttempt& attempt, Outcome<QuadWorkflowResult> outcome)
   {
-    // Part of the attainable minimum scaled Jacobian with which others need not be tried.
-    constexpr double GoodPart = 0.6;
     QuadAttemptRecord record{ attempt, std::move(outcome.error), false, {} };
     if (record.error)
     {
@@ -182,7 +181,8 @@ private:
     QuadWorkflowResult& result = *outcome.value;
     const QuadQuality& quality = result.quads.quality;
     record.result = DescribeQuads(result.quads);
-    record.isGood = quality.inverted == 0 && quality.jacobian.min >= GoodPart * quality.bound;
+    record.isGood =
+      quality.inverted == 0 && quality.jacobian.min >= AcceptableShape * quality.bound;
     if (!attempt.hasSingularities)
     {
       result.events.insert(
@@ -198,11 +198,16 @@ private:
       this->Repair = std::move(result.repair); // an offer: given singularities are not moved
     }
     else if ((attempt.hasSingularities || quality.inverted == 0) &&
-      (!this->Best || quality.jacobian.min > this->Best->quads.quality.jacobian.min))
+      (!this->Best || this->GradeOfQuads(result) < this->GradeOfQuads(*this->Best)))
     {
       this->Best = std::move(result);
     }
     this->Made.push_back(std::move(record));
+  }
+
+  MeshGrade GradeOfQuads(const QuadWorkflowResult& result) const
+  {
+    return GradeOf(result.quads, this->Request.quadSize, this->Request.quadCount);
   }
 
   /// Returns the error of the last attempt that did not repair the holonomy without request, with the

@@ -30,7 +30,7 @@ struct QuadAttemptRecord
 };
 
 /// Returns what to try first, or after the attempts that were made; nothing if there is nothing more to
-/// try (docs/method.md §14.11).
+/// try (docs/method.md §14.13).
 std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadRequest& request,
   const std::vector<QuadAttemptRecord>& made);
 

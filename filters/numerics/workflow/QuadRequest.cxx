@@ -1,9 +1,8 @@
 #include "QuadRequest.h"
 
-#include "SizeSearch.h"
+#include "MeshGrade.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace crossfield
 {
@@ -16,7 +15,6 @@ bool IsSizingFree(const QuadRequest& request)
 
 bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads)
 {
-  const auto count = static_cast<double>(quads.mesh.quads.size());
-  return request.quadSize != 0.0 || std::abs(count / request.quadCount - 1.0) <= CountTolerance;
+  return CountExcess(quads, request.quadSize, request.quadCount) == 0.0;
 }
 }

@@ -1,8 +1,8 @@
 #include "RequestedSingularities.h"
 
 #include "LayerSteps.h"
+#include "MeshGrade.h"
 #include "PoincareHopf.h"
-#include "SizingChoice.h"
 
 #include <cmath>
 #include <utility>

@@ -1,60 +1,14 @@
 #include "SizingChoice.h"
 
 #include "Candidates.h"
+#include "MeshGrade.h"
 #include "OptimizerReport.h"
-#include "SizeSearch.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace crossfield
 {
-namespace
-{
-/// Part of the attainable minimum scaled Jacobian from which a mesh needs no improvement.
-constexpr double GoodShape = 0.8;
-
-/// What a mesh lacks: quads that are not inverted, their number, shape, uniform sizes, in this order.
-struct Shortfall
-{
-  int inverted;
-  double count; ///< Excess of the relative error of the number of quads.
-  double shape; ///< Missing part of the minimum scaled Jacobian.
-  double sizes; ///< Excess of the variation of sizes.
-
-  /// `bound` is the attainable minimum scaled Jacobian of the mesh with conformal sizes: nodes that
-  /// move along the boundary may lower it, which is no merit.
-  Shortfall(const QuadResult& quads, const QuadOptions& options, double bound)
-    : Shortfall(quads.quality, std::max(bound, quads.quality.bound))
-  {
-    if (options.quadSize == 0.0)
-    {
-      const auto size = static_cast<double>(quads.mesh.quads.size());
-      this->count = std::max(0.0, std::abs(size / options.quadCount - 1.0) - CountTolerance);
-    }
-  }
-
-  bool IsGood() const { return this->inverted == 0 && this->shape == 0.0 && this->sizes == 0.0; }
-  bool IsBelow(const Shortfall& other) const
-  {
-    return std::tie(this->inverted, this->count, this->shape, this->sizes) <
-      std::tie(other.inverted, other.count, other.shape, other.sizes);
-  }
-
-private:
-  Shortfall(const QuadQuality& quality, double bound)
-    : inverted(quality.inverted)
-    , count(0.0)
-    , shape(std::max(0.0, GoodShape - quality.jacobian.min / bound))
-    , sizes(std::max(0.0, quality.variation - GoodVariation))
-  {
-  }
-};
-}
-
 std::vector<std::string> ChooseSizing(
   MeshedLayout& meshed, QuadOptions& options, const Progress& progress)
 {
@@ -63,7 +17,9 @@ std::vector<std::string> ChooseSizing(
   constexpr std::array<double, 3> SizeParts = { 0.5, 0.2, 0.05 };
   const double variation = meshed.quads.quality.variation;
   const double bound = meshed.quads.quality.bound;
-  Shortfall best(meshed.quads, options, bound);
+  const auto gradeOf = [&](const QuadResult& quads)
+  { return GradeOf(quads, options.quadSize, options.quadCount, bound); };
+  MeshGrade best = gradeOf(meshed.quads);
   bool isChanged = false;
   const QuadOptions given = options;
   const auto optionsFor = [&](std::size_t i)
@@ -89,10 +45,10 @@ std::vector<std::string> ChooseSizing(
     [&](std::size_t i, QuadResult uniform)
     {
       QuadOptions other = optionsFor(i);
-      const Shortfall shortfall(uniform, other, bound);
-      if (shortfall.IsBelow(best))
+      const MeshGrade grade = gradeOf(uniform);
+      if (grade < best)
       {
-        best = shortfall;
+        best = grade;
         meshed.quads = std::move(uniform);
         options = std::move(other);
         isChanged = true;

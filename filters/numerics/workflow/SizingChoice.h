@@ -7,9 +7,6 @@
 
 namespace crossfield
 {
-/// Standard deviation of sizes relative to their mean up to which a mesh needs no improvement.
-constexpr double GoodVariation = 0.12;
-
 /// Replaces a mesh with conformal sizes by one with uniform sizes where that is better, and sets the
 /// sizing of the options to that of the result (docs/method.md §14.8). Conformal sizes are retained
 /// if their standard deviation is at most GoodVariation of the mean and the minimum scaled Jacobian at least

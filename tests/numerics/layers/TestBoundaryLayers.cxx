@@ -202,8 +202,9 @@ TEST(BoundaryLayers, ChosenSingularitiesLeaveRoom)
   {
     MakeQuadMesh(domain, request);
   }
-  catch (const LackOfRows& error)
+  catch (const Error& error)
   {
+    EXPECT_EQ(error.GetKind(), Error::Kind::LackOfRows);
     message = error.what();
   }
   for (const char* part :

@@ -142,9 +142,13 @@ TEST(QuadAdvice, OffersTheFirstLengthThatWorks)
   EXPECT_NEAR(FindSmoothing(disk, {}, succeedAt(3)), disk.Diagonal() / 100.0, 1e-4);
   EXPECT_EQ(calls, 3);
   EXPECT_EQ(FindSmoothing(disk, {}, succeedAt(99)), 0.0);
-  EXPECT_NE(SmoothingAdvice(0.025, false).find("--smooth-boundary"), std::string::npos);
-  EXPECT_EQ(SmoothingAdvice(0.0, false).find("smooth"), std::string::npos);
-  EXPECT_EQ(WithoutRemedy("The map folds; use a finer mesh."), "The map folds.");
+  const Error coarse("The map folds", "use a finer mesh", Error::Kind::CoarseMesh);
+  EXPECT_STREQ(coarse.what(), "The map folds; use a finer mesh.");
+  EXPECT_STREQ(WithSmoothing(coarse, 0.025, false).what(),
+    "The map folds; smooth the boundary with a length of 0.025 (SmoothingLength of Boundary Simplifier, "
+    "--smooth-boundary).");
+  EXPECT_STREQ(WithSmoothing(coarse, 0.0, false).what(),
+    "The map folds on a finer mesh as well; give other singularities.");
 }
 
 TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
@@ -158,7 +162,6 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
   quality.inverted = 2;
   const std::string helpless = DescribeInverted(quality, {});
   EXPECT_EQ(helpless.find("use a smaller size"), std::string::npos) << helpless;
-  EXPECT_EQ(WithAdvice("It fails.", "; do this"), "It fails; do this.");
   // The quads of each size, as long as some are inverted.
   QuadResult quads;
   quads.size = 0.1;

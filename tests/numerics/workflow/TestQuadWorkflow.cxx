@@ -6,7 +6,6 @@
 #include "Layouts.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
-#include "MeshRetry.h"
 #include "PoincareHopf.h"
 #include "Support.h"
 
@@ -244,49 +243,6 @@ TEST(QuadWorkflow, RefusesMoreQuadsThanTheMaximum)
   request.quadSize = 0.0;
   request.quadCount = 2000000000;
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(LShape(), request); }, { "fewer quads" }));
-}
-
-TEST(MeshRetry, RefinesOnceAndOnlyForErrorsThatAFinerMeshMayCure)
-{
-  std::vector<double> calls;
-  std::vector<std::string> events;
-  const auto succeedsFrom = [&calls](double refinement)
-  {
-    return [&calls, refinement](double given)
-    {
-      calls.push_back(given);
-      if (given < refinement)
-      {
-        throw CoarseMeshError("Too coarse at " + std::to_string(calls.size()) + ".");
-      }
-      return given;
-    };
-  };
-  EXPECT_EQ(RetryOnFinerMesh(succeedsFrom(1.0), events), 1.0);
-  EXPECT_EQ(calls, std::vector<double>{ 1.0 });
-  EXPECT_TRUE(events.empty());
-
-  calls.clear();
-  EXPECT_EQ(RetryOnFinerMesh(succeedsFrom(2.0), events), 2.0);
-  EXPECT_EQ(calls, (std::vector<double>{ 1.0, 2.0 }));
-  ASSERT_EQ(events.size(), 1U);
-  EXPECT_NE(events[0].find("Too coarse at 1."), std::string::npos);
-
-  calls.clear();
-  EXPECT_TRUE(
-    Refuses([&] { RetryOnFinerMesh(succeedsFrom(3.0), events); }, { "Too coarse at 2." }));
-  EXPECT_EQ(calls.size(), 2U);
-
-  calls.clear();
-  events.clear();
-  const auto refuse = [&calls](double given) -> double
-  {
-    calls.push_back(given);
-    throw Error("No such domain.");
-  };
-  EXPECT_TRUE(Refuses([&] { RetryOnFinerMesh(refuse, events); }, { "No such domain." }));
-  EXPECT_EQ(calls.size(), 1U);
-  EXPECT_TRUE(events.empty());
 }
 
 TEST(PrescribedSizes, AreRelativeToTheirMeanAndContinuedFromTheBoundary)

@@ -1,0 +1,50 @@
+#include "MeshGrade.h"
+
+#include "SizeSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace crossfield
+{
+bool MeshGrade::operator<(const MeshGrade& other) const
+{
+  const auto values = [](const MeshGrade& grade)
+  { return std::tie(grade.inverted, grade.count, grade.shape, grade.variation, grade.blocks); };
+  return values(*this) < values(other);
+}
+
+MeshGrade GradeOf(const QuadResult& quads, double quadSize, int quadCount, double attainable)
+{
+  const QuadQuality& quality = quads.quality;
+  const double bound = std::max(attainable, quality.bound);
+  return { quality.inverted, CountExcess(quads, quadSize, quadCount),
+    std::max(0.0, GoodShape - quality.jacobian.min / bound),
+    std::max(0.0, quality.variation - GoodVariation), quads.blocks.blocks.size() };
+}
+
+double CountExcess(const QuadResult& quads, double quadSize, int quadCount)
+{
+  const auto count = static_cast<double>(quads.mesh.quads.size());
+  return quadSize > 0.0 ? 0.0 : std::max(0.0, std::abs(count / quadCount - 1.0) - CountTolerance);
+}
+
+bool IsAsGood(const QuadQuality& quality, const QuadQuality& other, const MergeTolerance& tolerance)
+{
+  return quality.inverted == 0 &&
+    quality.jacobian.min >=
+    tolerance.jacobianFactor * other.jacobian.min - tolerance.jacobianDrop &&
+    quality.jacobian.mean >= other.jacobian.mean - tolerance.meanDrop &&
+    quality.variation <= std::max(tolerance.variationFactor * other.variation,
+                           other.variation + tolerance.variationRise);
+}
+
+bool IsCoarser(const QuadResult& quads, const QuadResult& other)
+{
+  const std::size_t blocks = quads.blocks.blocks.size();
+  const std::size_t others = other.blocks.blocks.size();
+  return blocks != others ? blocks < others
+                          : quads.quality.jacobian.min > other.quality.jacobian.min;
+}
+}

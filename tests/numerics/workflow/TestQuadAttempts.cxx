@@ -1,0 +1,173 @@
+// The order of attempts: each is made once, and what follows depends on the errors and quads so far.
+
+#include "QuadAttempts.h"
+
+#include "QuadWorkflow.h"
+#include "Support.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace crossfield::test
+{
+namespace
+{
+auto Values(const QuadAttempt& a)
+{
+  return std::tuple(
+    a.hasSingularities, a.mergesBlocks, a.layerDistance, a.repairsHolonomy, a.refinement);
+}
+
+enum class Result
+{
+  Good,
+  Poor,
+  BadInput,
+  CoarseMesh,
+  LackOfRows
+};
+
+QuadAttemptRecord Record(const QuadAttempt& attempt, Result result)
+{
+  QuadAttemptRecord record{ attempt, std::nullopt, result == Result::Good, {} };
+  if (result != Result::Good && result != Result::Poor)
+  {
+    record.error = Error("It fails", "do this",
+      result == Result::CoarseMesh     ? Error::Kind::CoarseMesh
+        : result == Result::LackOfRows ? Error::Kind::LackOfRows
+                                       : Error::Kind::BadInput);
+  }
+  return record;
+}
+
+/// Calls visit with every list of records that leads to no further attempt.
+temring<typename Visit> void ForAllRuns(const PlanarDomain& domain, const QuadRequest& request,
+  std::vector<QuadAttemptRecord> made, const Visit& visit)
+{
+  const std::optional<QuadAttempt> next = NextAttempt(domain, request, made);
+  if (!next)
+  {
+    visit(made);
+    return;
+  }
+  ASSERT_LE(made.size(), 30U);
+  for (const Result result :
+    { Result::Good, Result::Poor, Result::BadInput, Result::CoarseMesh, Result::LackOfRows })
+  {
+    made.push_back(Record(*next, result));
+    ForAllRuns(domain, request, made, visit);
+    made.pop_back();
+  }
+}
+
+QuadRequest WithLayer(const std::string& side)
+{
+  QuadRequest request;
+  request.layers.emplace_back();
+  request.layers[0].name = side;
+  request.layers[0].first = 0.01;
+  return request;
+}
+
+TEST(QuadAttempts, AreDifferentAndEndWithTheFirstGoodOne)
+{
+  for (const char* name : { "disk", "ring" })
+  {
+    const PlanarDomain domain = Builtin(name);
+    for (const BlockMerge merge : { BlockMerge::None, BlockMerge::Clean })
+    {
+      for (const bool isGiven : { false, true })
+      {
+        QuadRequest request = WithLayer("outer0");
+        request.merge = merge;
+        if (isGiven)
+        {
+          request.singularities.emplace();
+        }
+        std::size_t most = 0;
+        ForAllRuns(domain, request, {},
+          [&](const std::vector<QuadAttemptRecord>& made)
+          {
+            most = std::max(most, made.size());
+            std::set<decltype(Values({}))> different;
+            for (const QuadAttemptRecord& record : made)
+            {
+              different.insert(Values(record.attempt));
+            }
+            EXPECT_EQ(different.size(), made.size());
+            EXPECT_TRUE(std::none_of(made.begin(), made.end() - 1,
+              [](const QuadAttemptRecord& record) { return record.isGood; }));
+          });
+        EXPECT_GE(most, isGiven && name == std::string("disk") ? 2U : 4U);
+      }
+    }
+  }
+}
+
+TEST(QuadAttempts, RefineTheMeshThenRepairTheHolonomy)
+{
+  const PlanarDomain ring = Builtin("ring");
+  QuadRequest request;
+  std::vector<QuadAttemptRecord> made;
+  const auto next = [&]
+  {
+    const std::optional<QuadAttempt> attempt = NextAttempt(ring, request, made);
+    if (attempt)
+    {
+      made.push_back(Record(*attempt, Result::CoarseMesh));
+    }
+    return attempt;
+  };
+  while (next())
+  {
+  }
+  ASSERT_EQ(made.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(made[i].attempt.refinement, i % 2 == 0 ? 1.0 : 2.0);
+    EXPECT_EQ(made[i].attempt.repairsHolonomy, i > 1);
+  }
+  // A repair that was requested is part of every attempt.
+  made.clear();
+  request.repairHolonomy = true;
+  while (next())
+  {
+  }
+  EXPECT_EQ(made.size(), 2U);
+}
+
+TEST(QuadAttempts, MoveChosenSingularitiesAwayFromLayersUpToALimit)
+{
+  const PlanarDomain disk = Builtin("disk");
+  QuadRequest request = WithLayer("outer0");
+  request.merge = BlockMerge::Clean;
+  std::vector<QuadAttemptRecord> made;
+  while (const std::optional<QuadAttempt> attempt = NextAttempt(disk, request, made))
+  {
+    made.push_back(Record(*attempt, Result::LackOfRows));
+  }
+  ASSERT_EQ(made.size(), 5U);
+  EXPECT_TRUE(made[0].attempt.mergesBlocks);
+  EXPECT_FALSE(made[1].attempt.mergesBlocks);
+  EXPECT_EQ(made[1].attempt.layerDistance, 1.0);
+  EXPECT_NEAR(made[4].attempt.layerDistance, 2.197, 1e-12);
+  // Given ones stay.
+  request.merge = BlockMerge::None;
+  request.singularities.emplace();
+  EXPECT_FALSE(NextAttempt(disk, request, { Record({}, Result::LackOfRows) }));
+}
+
+TEST(QuadAttempts, AreInTheResult)
+{
+  QuadRequest request;
+  request.quadCount = 300;
+  const QuadWorkflowResult result = MakeQuadMesh(Builtin("disk"), request);
+  ASSERT_EQ(result.attempts.size(), 1U);
+  EXPECT_EQ(result.attempts[0].find("With chosen singularities: " +
+              std::to_string(result.quads.mesh.quads.size()) + " quads in "),
+    0U)
+    << result.attempts[0];
+}
+}
+}
