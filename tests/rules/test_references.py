@@ -2,8 +2,8 @@
 
     python3 test_references.py
 
-- A reference `docs/method.md §3.1` needs a heading with that number there, and every section sign
-  needs its document before it.
+- A reference `docs/method.md §3.1` needs a heading with that number there or in docs/method, and every
+  section sign needs its document before it.
 - A relative link in a .md page needs an existing file, and its #anchor an existing heading.
 - A source or page that is named in a comment or page must be in the tree.
 - Documents outside the tree must not be cited.
@@ -108,14 +108,19 @@ def line_of(text, place):
     return text.count("\n", 0, place) + 1
 
 
+def is_of_the_method(name):
+    return name == METHOD_PAGE or name.startswith("docs/method/")
+
+
 def section_findings(texts):
     if METHOD_PAGE not in texts:
         return ["There is no %s, whose sections are cited" % METHOD_PAGE]
-    there = set(re.findall(r"^#+ +(\d+(?:\.\d+)?)\.? ", texts[METHOD_PAGE], re.MULTILINE))
+    there = {number for name in texts if is_of_the_method(name)
+             for number in re.findall(r"^#+ +(\d+(?:\.\d+)?)\.? ", texts[name], re.MULTILINE)}
     found = []
     for name, text in texts.items():
         cited = []
-        if name == METHOD_PAGE:
+        if is_of_the_method(name):
             cited = [(match.start(), match.group(1)) for match in re.finditer(r"§(\d+(?:\.\d+)?)", text)]
         elif text:
             for match in SECTION.finditer(text):
@@ -131,7 +136,7 @@ def bare_findings(texts):
     for name, text in texts.items():
         # A list of sections may continue in the next comment.
         cited = [match.span() for match in SECTION.finditer(text or "")]
-        for place, comment in comments(name, text) if text and name != METHOD_PAGE else ():
+        for place, comment in comments(name, text) if text and not is_of_the_method(name) else ():
             found += ["%s:%d cites %s of no document" % (name, line_of(text, place + match.start()), match.group())
                       for match in re.finditer(r"§\d+(?:\.\d+)?", comment)
                       if not any(first <= place + match.start() < last for first, last in cited)]
@@ -209,6 +214,7 @@ class References(unittest.TestCase):
         self.check(section_findings, {"a.md": "[The method](method.md) §7"},
                    ["a.md:1 cites docs/method.md §7, which does not exist"])
         self.assertEqual(len(section_findings({METHOD_PAGE: SAMPLE + "§5"})), 1)
+        self.assertEqual(section_findings({METHOD_PAGE: SAMPLE + "§5", "docs/method/5.md": "# 5. More\n§2.1"}), [])
         self.assertEqual(len(section_findings({"a.h": ""})), 1)
 
     def test_finds_a_section_of_no_document(self):
