@@ -1,10 +1,12 @@
-"""Pages whose numbers scripts compute with the program: docs/exact.md, and the memory in
+"""Pages whose numbers scripts compute with the program: docs/exact.md, docs/quads.md, and the memory in
 docs/limits.md."""
 
 import importlib.util
 import os
 import pathlib
 import re
+import subprocess
+import sys
 import unittest
 
 from program import PROGRAM, ProgramTest
@@ -51,3 +53,24 @@ class WholeRuns(ProgramTest):
         for found, old in zip(map(float, memory.findall(row)), map(float, memory.findall(written))):
             # The libraries of Debian 13's ParaView take 0.05 GiB more than those of Debian 12's, for which the page is.
             self.assertAlmostEqual(found, old, delta=0.25 * old + 0.05)
+
+
+class GalleryOfQuads(ProgramTest):
+    def test_the_page_has_the_numbers_of_the_program(self):
+        subprocess.run([sys.executable, str(ROOT / "scripts/quads_gallery.py"), PROGRAM, str(self.folder)], check=True,
+                       stdout=subprocess.DEVNULL)
+        made = (self.folder / "quads.md").read_text(encoding="utf-8").splitlines()
+        written = (ROOT / "docs/quads.md").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(len(made), len(written))
+        rows = [pair for pair in zip(made, written) if pair[0].startswith("| ") and pair[0] != pair[1]]
+        self.assertEqual([pair for pair in zip(made, written) if pair[0] != pair[1] and pair not in rows], [])
+        number = re.compile(r"-?[0-9]+(?:\.[0-9]+)?")
+        changed = []
+        for new, old in rows:
+            # The last cell is seconds. Kernels of BLAS round differently, which may add a block.
+            cells = [line.rstrip(" |").rpartition("|")[0] for line in (new, old)]
+            values = [list(map(float, number.findall(cell))) for cell in cells]
+            if number.sub("", cells[0]) != number.sub("", cells[1]) or any(
+                    abs(a - b) > 0.05 * abs(b) + 1e-3 for a, b in zip(*values)):
+                changed.append((new, old))
+        self.assertEqual(changed, [], "scripts/quads.sh makes the page")
