@@ -9,7 +9,8 @@
 #                     and does not install the packages that only they need
 #
 # Warnings are errors in a new build folder with tests, and without if the variable
-# CROSSFIELD_WARNINGS_AS_ERRORS of the environment is ON: a user's compiler may print others than ours.
+# CROSSFIELD_WARNINGS_AS_ERRORS of the environment is ON: a user's compiler may print others than ours. The variable
+# CROSSFIELD_BUILD_NUMERICS_TESTS=OFF leaves out the tests of the numerics.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -41,12 +42,7 @@ for preset in "${presets[@]}"; do
   target=all
   if [[ $tests == yes ]]; then
     options+=(-DCROSSFIELD_BUILD_TESTING=ON)
-    # The numerics do not depend on VTK: if ParaView's build is made as well, it has their tests.
-    numerics=ON
-    if [[ $preset == vtk && " ${presets[*]} " == *" paraview "* ]]; then
-      numerics=OFF
-    fi
-    options+=("-DCROSSFIELD_BUILD_NUMERICS_TESTS=$numerics")
+    options+=("-DCROSSFIELD_BUILD_NUMERICS_TESTS=${CROSSFIELD_BUILD_NUMERICS_TESTS:-ON}")
     strict=ON
   elif [[ ! -e $folder/CMakeCache.txt ]]; then
     options+=(-DCROSSFIELD_BUILD_TESTING=OFF)

@@ -2,7 +2,6 @@
 docs/limits.md."""
 
 import importlib.util
-import os
 import pathlib
 import re
 import subprocess
@@ -39,7 +38,6 @@ class Exact(ProgramTest):
 
 
 class WholeRuns(ProgramTest):
-    @unittest.skipIf("CROSSFIELD_SECONDS" in os.environ, "sanitizers take memory of their own")
     def test_the_memory_is_what_the_page_says(self):
         limits = script("limits")
         page = (ROOT / "docs/limits.md").read_text(encoding="utf-8")
