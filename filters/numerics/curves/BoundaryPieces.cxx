@@ -19,7 +19,7 @@ namespace
 const char* NameOf(CurveDeclaration::Kind kind)
 {
   constexpr std::array<const char*, 4> Names = { "line", "circle", "ellipse", "spline" };
-  return Names[kind];
+  return Names[static_cast<std::size_t>(kind)];
 }
 
 /// Consecutive segments of a loop.
