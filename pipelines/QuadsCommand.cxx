@@ -286,7 +286,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command
     ->add_option("-o,--output", options->output,
       "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX, .su2 of SU2, "
-      ".cgns, .xyz of PLOT3D, .ex2 of Exodus, .case of EnSight or legacy .vtk, or into a case of OpenFOAM, a folder "
+      ".cgns, .xyz of PLOT3D, .ex2 of Exodus or legacy .vtk, or into a case of OpenFOAM, a folder "
       "with / at its end or a .foam file in it; "
       "as .vtu to standard output for -")
     ->required();

@@ -149,7 +149,7 @@ class QuadMesh:
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a file in the format of its ending: `grid` as .vtu or .vtk, or quads and names of sides as .msh
-        (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus), .case (EnSight), or .foam and / for
+        (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus), or .foam and / for
         a case of OpenFOAM. Formats of meshio that hold quads, such as .med, .mesh and .bdf, are written by meshio: quads
         and boundary lines, with the loop of each line. Other endings are an Error."""
         if write_mesh(self.grid, path):
