@@ -17,8 +17,7 @@ from ._input import Domain, Singularities, as_configuration, as_domain
 from ._layers import (
     CornerRows, Curves, Layers, Periodic, corner_rows_text, curves_text, layers_text, periodic_text)
 from ._plot import plot_quads
-from ._reports import report_of
-from ._results import Configuration, Corners, chains, configuration_of, copied, places
+from ._results import Configuration, Corners, chains, configuration_of, copied, places, report_of
 from ._run import Error, Pipeline
 from ._solid import SolidMesh, swept, unknown_ending, write_mesh
 from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadsToHigherOrder
