@@ -90,7 +90,7 @@ private:
     {
       for (int d = 0; d < this->Mesh.dimension; ++d)
       {
-        size.push_back(block.cells[Index(d)] + points);
+        size.push_back(block.cells[d] + points);
       }
     }
     size.resize(3 * Index(this->Mesh.dimension), 0);
@@ -104,11 +104,11 @@ private:
     {
       for (std::size_t i = 0; i < values.size(); ++i)
       {
-        values[i] = this->Mesh.points[Index(block.nodes[i])][axis];
+        values[i] = this->Mesh.points[block.nodes[i]][axis];
       }
       int coordinate = 0;
       CgnsFile::Require(cg_coord_write(this->File, this->Base, zone, CGNS_ENUMV(RealDouble),
-        names[Index(axis)], values.data(), &coordinate));
+        names[axis], values.data(), &coordinate));
       CgnsFile::Require(cg_goto(this->File, this->Base, "Zone_t", zone, "GridCoordinates_t", 1,
         "DataArray_t", coordinate, "end"));
       const std::array<double, 5> length = { 0.0, 1.0, 0.0, 0.0, 0.0 }; // powers of the units
@@ -124,7 +124,7 @@ private:
     {
       for (int d = 0; d < this->Mesh.dimension; ++d)
       {
-        indices.push_back(corner[Index(d)] + 1);
+        indices.push_back(corner[d] + 1);
       }
     }
     return indices;
@@ -137,10 +137,10 @@ private:
     BlockRange& to = connection.to;
     for (int d = 0; d < this->Mesh.dimension; ++d)
     {
-      if (from.begin[Index(d)] > from.end[Index(d)])
+      if (from.begin[d] > from.end[d])
       {
-        const std::size_t image = Index(std::abs(connection.transform[Index(d)]) - 1);
-        std::swap(from.begin[Index(d)], from.end[Index(d)]);
+        const std::size_t image = Index(std::abs(connection.transform[d]) - 1);
+        std::swap(from.begin[d], from.end[d]);
         std::swap(to.begin[image], to.end[image]);
       }
     }
@@ -148,9 +148,9 @@ private:
     const std::vector<cgsize_t> range = this->IndicesOf(from);
     const std::vector<cgsize_t> donor = this->IndicesOf(to);
     int number = 0;
-    CgnsFile::Require(cg_1to1_write(this->File, this->Base, this->Zones[Index(from.block)],
-      name.c_str(), ZoneName(Index(to.block)).c_str(), range.data(), donor.data(),
-      connection.transform.data(), &number));
+    CgnsFile::Require(cg_1to1_write(this->File, this->Base, this->Zones[from.block], name.c_str(),
+      ZoneName(Index(to.block)).c_str(), range.data(), donor.data(), connection.transform.data(),
+      &number));
   }
 
   /** Writes every connection to the zones on both of its sides. */
@@ -161,8 +161,8 @@ private:
       BlockConnection back = { connection.to, connection.from, {} };
       for (int d = 0; d < this->Mesh.dimension; ++d)
       {
-        const int image = connection.transform[Index(d)];
-        back.transform[Index(std::abs(image) - 1)] = image > 0 ? d + 1 : -(d + 1);
+        const int image = connection.transform[d];
+        back.transform[std::abs(image) - 1] = image > 0 ? d + 1 : -(d + 1);
       }
       this->WriteConnection(connection);
       this->WriteConnection(back);
@@ -173,8 +173,8 @@ private:
   {
     const std::vector<cgsize_t> points = this->IndicesOf(range);
     int condition = 0;
-    CgnsFile::Require(cg_boco_write(this->File, this->Base, this->Zones[Index(range.block)],
-      name.c_str(), type, CGNS_ENUMV(PointRange), 2, points.data(), &condition));
+    CgnsFile::Require(cg_boco_write(this->File, this->Base, this->Zones[range.block], name.c_str(),
+      type, CGNS_ENUMV(PointRange), 2, points.data(), &condition));
     return condition;
   }
 
@@ -183,7 +183,7 @@ private:
     std::vector<std::string> names; // of all pieces, different from each other in the whole file
     for (const crossfield::BlockPatch& patch : this->Faces.patches)
     {
-      names.push_back(this->Families[Index(patch.side)]);
+      names.push_back(this->Families[patch.side]);
     }
     for (std::size_t i = 0; i < this->Faces.collapsed.size(); ++i)
     {
@@ -195,9 +195,9 @@ private:
     {
       const int condition =
         this->WriteCondition(names[next++], CGNS_ENUMV(FamilySpecified), patch.range);
-      CgnsFile::Require(cg_goto(this->File, this->Base, "Zone_t",
-        this->Zones[Index(patch.range.block)], "ZoneBC_t", 1, "BC_t", condition, "end"));
-      CgnsFile::Require(cg_famname_write(this->Families[Index(patch.side)].c_str()));
+      CgnsFile::Require(cg_goto(this->File, this->Base, "Zone_t", this->Zones[patch.range.block],
+        "ZoneBC_t", 1, "BC_t", condition, "end"));
+      CgnsFile::Require(cg_famname_write(this->Families[patch.side].c_str()));
     }
     for (const BlockRange& range : this->Faces.collapsed)
     {

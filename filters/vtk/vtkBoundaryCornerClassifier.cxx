@@ -35,7 +35,7 @@ void SetRow(std::vector<Row>& rows, int row, const Row& value)
   {
     rows.resize(static_cast<std::size_t>(row) + 1, value);
   }
-  rows[static_cast<std::size_t>(row)] = value;
+  rows[row] = value;
 }
 }
 

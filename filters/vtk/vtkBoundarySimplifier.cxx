@@ -121,7 +121,7 @@ void CopyNearestArrays(vtkDataSet* input, vtkPoints* points, vtkPointData* array
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     const vtkIdType nearest = locator->FindClosestPoint(points->GetPoint(i));
-    arrays->CopyData(input->GetPointData(), used.GetIds()[static_cast<std::size_t>(nearest)], i);
+    arrays->CopyData(input->GetPointData(), used.GetIds()[nearest], i);
   }
 }
 
@@ -187,8 +187,7 @@ std::vector<crossfield::Point> PointsOf(const std::vector<std::string>& names,
     for (std::size_t i = 0; i < count; ++i)
     {
       const int side = along.At(l, 0.5 * (arcs[l].Start(i) + arcs[l].Start(i + 1)));
-      if (std::find(names.begin(), names.end(), sides.names[static_cast<std::size_t>(side)]) !=
-        names.end())
+      if (std::find(names.begin(), names.end(), sides.names[side]) != names.end())
       {
         points.push_back(domain.loops[l][i]);
         points.push_back(domain.loops[l][(i + 1) % count]);
@@ -215,8 +214,7 @@ void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
   {
     const int side =
       along.At(loop, 0.5 * (arcs[loop].Start(segment) + arcs[loop].Start(segment + 1)));
-    return side < named.sides.given ? named.sides.names[static_cast<std::size_t>(side)]
-                                    : std::string();
+    return side < named.sides.given ? named.sides.names[side] : std::string();
   };
   const crossfield::CurvesAlong curvesAlong(boundary, arcs);
   const auto curveAt = [&](std::size_t loop, std::size_t segment) {

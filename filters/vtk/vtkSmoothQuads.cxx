@@ -88,7 +88,7 @@ int vtkSmoothQuads::RequestData(
         {
           const vtkIdType id = ids->GetId(static_cast<vtkIdType>(i));
           mesh.quads.back()[i] = static_cast<int>(id);
-          isUsed[static_cast<std::size_t>(id)] = true;
+          isUsed[id] = true;
         }
       }
       crossfield::MeshSmoothingOptions options;

@@ -298,7 +298,7 @@ void pqSingularityHandlesWidget::Press(int x, int y)
     return;
   }
   // A handle does not jump when the mouse button is pressed off its centre.
-  const SingularityRow& pressed = this->Rows[static_cast<std::size_t>(row)];
+  const SingularityRow& pressed = this->Rows[row];
   const std::array<double, 2> middle = this->Handles.PixelOf({ pressed[0], pressed[1] });
   this->Grip = { x - middle[0], y - middle[1] };
   this->RowsBeforeDrag = this->Rows;
@@ -327,7 +327,7 @@ void pqSingularityHandlesWidget::FollowMouse()
     {
       return;
     }
-    SingularityRow& row = this->Rows[static_cast<std::size_t>(this->Chosen)];
+    SingularityRow& row = this->Rows[this->Chosen];
     row[0] = (*point)[0];
     row[1] = (*point)[1];
     this->ShowRows();

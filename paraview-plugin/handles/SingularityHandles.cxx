@@ -306,7 +306,7 @@ std::optional<std::array<double, 2>> SingularityHandles::PlanePointAt(double x, 
     const double* world = this->Renderer->GetWorldPoint();
     for (std::size_t i = 0; i < 3; ++i)
     {
-      ends[static_cast<std::size_t>(end)][i] = world[i] / world[3];
+      ends[end][i] = world[i] / world[3];
     }
   }
   return this->Plane.IntersectRay(ends[0], ends[1]);

@@ -148,7 +148,7 @@ void SingularityTable::ShowRows(const std::vector<SingularityRow>& rows, int cho
   {
     for (int column = 0; column < 4; ++column)
     {
-      const double number = rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+      const double number = rows[row][column];
       QTableWidgetItem* item = this->item(row, column);
       if (!item)
       {

@@ -31,7 +31,7 @@ void Grey(vtkUnsignedCharArray* picture)
     }
     for (int c = 0; c < 3; ++c)
     {
-      const double from = background[static_cast<std::size_t>(c)];
+      const double from = background[c];
       // Equal in all components but for the tint of the background.
       const double mean = (background[0] + background[1] + background[2]) / 3.0;
       picture->SetTypedComponent(

@@ -402,7 +402,7 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
     std::array<double, 2> pixel = { size[0] / 2.0, size[1] / 2.0 };
     if (this->Chosen >= 0)
     {
-      const SingularityRow& chosen = rows[static_cast<std::size_t>(this->Chosen)];
+      const SingularityRow& chosen = rows[this->Chosen];
       pixel = this->Handles.PixelOf({ chosen[0], chosen[1] });
     }
     // Centres are five disc radii apart, so that the field between them is visible.
@@ -418,7 +418,7 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
   double radius = 0.1; // as in the default rows
   if (!rows.empty())
   {
-    radius = this->Chosen >= 0 ? rows[static_cast<std::size_t>(this->Chosen)][3] : rows.back()[3];
+    radius = this->Chosen >= 0 ? rows[this->Chosen][3] : rows.back()[3];
   }
   for (const int quarterIndex : quarterIndices)
   {

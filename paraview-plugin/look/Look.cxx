@@ -72,7 +72,7 @@ std::vector<double> PaleColours()
   std::vector<double> points;
   for (int number = 0; number < PaleColourCount; ++number)
   {
-    AddColour(points, number, Pale[static_cast<std::size_t>(number * 7 % 5)]);
+    AddColour(points, number, Pale[number * 7 % 5]);
   }
   return points;
 }

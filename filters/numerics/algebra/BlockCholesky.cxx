@@ -131,8 +131,8 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::ComputeTraces(
     Matrix(count, count) };
   const auto add = [&](Eigen::Index j)
   {
-    const Block& block = this->Blocks[static_cast<std::size_t>(j)];
-    const Matrix& change = changes[static_cast<std::size_t>(j)];
+    const Block& block = this->Blocks[j];
+    const Matrix& change = changes[j];
     const Eigen::Index first = block.inner.rows();
     const Eigen::Index last = block.across.rows();
     const auto lower = block.inner.template triangularView<Eigen::Lower>();
@@ -152,7 +152,7 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::ComputeTraces(
       inverse.middleCols(block.place, last) * separate.ofCoupled.segment(block.place, last);
     for (Eigen::Index i = 0; i < count; ++i)
     {
-      const Block& other = this->Blocks[static_cast<std::size_t>(i)];
+      const Block& other = this->Blocks[i];
       const Eigen::Index size = other.across.rows();
       traces.forms(i, j) =
         separate.ofCoupled.segment(other.place, size).dot(response.segment(other.place, size));
@@ -171,10 +171,10 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::ComputeTraces(
     inverse.rows() >= MinimumRowsForParts ? 1 : count + 1);
   for (Eigen::Index j = 0; j < count; ++j)
   {
-    const Block& right = this->Blocks[static_cast<std::size_t>(j)];
+    const Block& right = this->Blocks[j];
     for (Eigen::Index i = 0; i < j; ++i)
     {
-      const Block& left = this->Blocks[static_cast<std::size_t>(i)];
+      const Block& left = this->Blocks[i];
       const Eigen::Index rows = left.across.rows();
       const Eigen::Index columns = right.across.rows();
       traces.second(i, j) = traces.second(j, i) =

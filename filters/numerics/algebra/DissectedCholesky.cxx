@@ -41,7 +41,7 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
     part.height = from.isLeaf ? 0 : 1;
     for (const int unknown : part.unknowns)
     {
-      this->Positions[static_cast<std::size_t>(unknown)] = first++;
+      this->Positions[unknown] = first++;
     }
     this->Parts.push_back(std::move(part));
   }
@@ -80,7 +80,7 @@ void DissectedCholesky::ConnectParts(const Eigen::SparseMatrix<double>& matrix)
       {
         for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
         {
-          const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+          const int position = this->Positions[entry.row()];
           if (position >= end)
           {
             part.border.push_back(position);
@@ -95,7 +95,7 @@ void DissectedCholesky::ConnectParts(const Eigen::SparseMatrix<double>& matrix)
   for (std::size_t i = 0; i + 1 < this->Parts.size(); ++i)
   {
     const Part& part = this->Parts[i];
-    Part& above = this->Parts[static_cast<std::size_t>(part.parent)];
+    Part& above = this->Parts[part.parent];
     above.height = std::max(above.height, part.height + 1);
     above.below.push_back(static_cast<int>(i));
     const int end = above.first + static_cast<int>(above.unknowns.size());
@@ -105,15 +105,14 @@ void DissectedCholesky::ConnectParts(const Eigen::SparseMatrix<double>& matrix)
       std::back_inserter(border));
     above.border = std::move(border);
     this->Levels.resize(std::max(this->Levels.size(), static_cast<std::size_t>(part.height) + 1));
-    this->Levels[static_cast<std::size_t>(part.height)].push_back(static_cast<int>(i));
+    this->Levels[part.height].push_back(static_cast<int>(i));
   }
   for (std::size_t i = 0; i + 1 < this->Parts.size(); ++i)
   {
     Part& part = this->Parts[i];
     for (const int position : part.border)
     {
-      part.inParent.push_back(
-        LocalRow(this->Parts[static_cast<std::size_t>(part.parent)], position));
+      part.inParent.push_back(LocalRow(this->Parts[part.parent], position));
     }
   }
 }
@@ -174,10 +173,10 @@ Eigen::MatrixXd DissectedCholesky::AssembleFront(const Eigen::SparseMatrix<doubl
   Eigen::MatrixXd front = Eigen::MatrixXd::Zero(part.Rows(), part.Rows());
   for (Eigen::Index j = 0; j < part.Size(); ++j)
   {
-    const int unknown = part.unknowns[static_cast<std::size_t>(j)];
+    const int unknown = part.unknowns[j];
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
     {
-      const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+      const int position = this->Positions[entry.row()];
       if (position >= part.first + j)
       {
         front(LocalRow(part, position), j) += entry.value();
@@ -186,8 +185,8 @@ Eigen::MatrixXd DissectedCholesky::AssembleFront(const Eigen::SparseMatrix<doubl
   }
   for (const int below : part.below)
   {
-    const std::vector<int>& rows = this->Parts[static_cast<std::size_t>(below)].inParent;
-    Eigen::MatrixXd& update = updates[static_cast<std::size_t>(below)];
+    const std::vector<int>& rows = this->Parts[below].inParent;
+    Eigen::MatrixXd& update = updates[below];
     // Rows of the border keep their order, so the lower triangle stays the lower one.
     for (std::size_t j = 0; j < rows.size(); ++j)
     {
@@ -241,10 +240,10 @@ Eigen::MatrixXd DissectedCholesky::FactorLeaf(
       continue;
     }
     column.clear();
-    const int unknown = part.unknowns[static_cast<std::size_t>(j)];
+    const int unknown = part.unknowns[j];
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
     {
-      const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+      const int position = this->Positions[entry.row()];
       if (position >= part.first + j)
       {
         column.emplace_back(LocalRow(part, position), entry.value());

@@ -113,17 +113,14 @@ Eigen::MatrixXd LoadRows(Eigen::Index count, const std::vector<PartOfBlock>& own
   std::sort(active.begin(), active.end());
   active.erase(std::unique(active.begin(), active.end()), active.end());
   const auto widthOf = [&firsts](int block)
-  { return firsts[static_cast<std::size_t>(block) + 1] - firsts[static_cast<std::size_t>(block)]; };
+  { return firsts[static_cast<std::size_t>(block) + 1] - firsts[block]; };
   std::vector<Eigen::Index> starts = { 0 }; // columns of the active blocks
   for (const int block : active)
   {
     starts.push_back(starts.back() + widthOf(block));
   }
   const auto startOf = [&](int block)
-  {
-    return starts[static_cast<std::size_t>(
-      std::lower_bound(active.begin(), active.end(), block) - active.begin())];
-  };
+  { return starts[std::lower_bound(active.begin(), active.end(), block) - active.begin()]; };
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, starts.back());
   for (const PartOfBlock& entries : own)
   {
@@ -166,7 +163,7 @@ Eigen::MatrixXd DissectedCholesky::SparseEliminated::TransposeTimes(
     Eigen::Index row = 0;
     for (const int block : node.blocks)
     {
-      const Eigen::Index first = this->firsts[static_cast<std::size_t>(block)];
+      const Eigen::Index first = this->firsts[block];
       const Eigen::Index size = this->firsts[static_cast<std::size_t>(block) + 1] - first;
       sums.middleRows(first, size) += part.middleRows(row, size);
       row += size;
@@ -185,7 +182,7 @@ void DissectedCholesky::SparseEliminated::AddTo(
     Eigen::Index row = 0;
     for (const int block : node.blocks)
     {
-      const Eigen::Index first = this->firsts[static_cast<std::size_t>(block)];
+      const Eigen::Index first = this->firsts[block];
       const Eigen::Index size = this->firsts[static_cast<std::size_t>(block) + 1] - first;
       ofNode.middleRows(row, size) = x.middleRows(first, size);
       row += size;
@@ -217,7 +214,7 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
     {
       for (Eigen::SparseMatrix<double>::InnerIterator entry(blocks[block], column); entry; ++entry)
       {
-        const int position = this->Positions[static_cast<std::size_t>(entry.row())];
+        const int position = this->Positions[entry.row()];
         if (position < 0)
         {
           continue;

@@ -50,14 +50,13 @@ void DissectedCholesky::EliminateColumns(const Eigen::MatrixXd& rightHandSides, 
     {
       for (Eigen::Index i = 0; i < part.Size(); ++i)
       {
-        columns(i, column) =
-          rightHandSides(part.unknowns[static_cast<std::size_t>(i)], begin + column);
+        columns(i, column) = rightHandSides(part.unknowns[i], begin + column);
       }
     }
     for (const int below : part.below)
     {
-      const std::vector<int>& rows = this->Parts[static_cast<std::size_t>(below)].inParent;
-      const Eigen::MatrixXd& added = ofBorders[static_cast<std::size_t>(below)];
+      const std::vector<int>& rows = this->Parts[below].inParent;
+      const Eigen::MatrixXd& added = ofBorders[below];
       for (Eigen::Index column = 0; column < count; ++column)
       {
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -120,7 +119,7 @@ void DissectedCholesky::SubstituteColumns(const Eliminated& eliminated, Eigen::I
     {
       for (Eigen::Index i = 0; i < part.Size(); ++i)
       {
-        solution(part.unknowns[static_cast<std::size_t>(i)], begin + column) = local(i, column);
+        solution(part.unknowns[i], begin + column) = local(i, column);
       }
     }
   };
@@ -131,7 +130,7 @@ void DissectedCholesky::SubstituteColumns(const Eliminated& eliminated, Eigen::I
     [&](std::size_t i)
     {
       const Part& part = this->Parts[i];
-      const Eigen::MatrixXd& above = solved[static_cast<std::size_t>(part.parent)];
+      const Eigen::MatrixXd& above = solved[part.parent];
       const Eigen::Index outside = part.Rows() - part.Size();
       Eigen::MatrixXd& local = solved[i];
       local.resize(part.Rows(), count);

@@ -42,11 +42,8 @@ public:
   }
 
   /// Excludes an unknown, which is numbered elsewhere.
-  void Exclude(int unknown) { this->PartOf[static_cast<std::size_t>(unknown)] = Excluded; }
-  bool IsExcluded(int unknown) const
-  {
-    return this->PartOf[static_cast<std::size_t>(unknown)] == Excluded;
-  }
+  void Exclude(int unknown) { this->PartOf[unknown] = Excluded; }
+  bool IsExcluded(int unknown) const { return this->PartOf[unknown] == Excluded; }
 
   /// Measures how many couplings a cut meets per length in either direction, up to a common factor:
   /// the rows of a lattice are closer to each other than the points within a row. A line across an
@@ -120,20 +117,20 @@ public:
     const int mine = ++part;
     for (const int* unknown = begin; unknown != end; ++unknown)
     {
-      this->PartOf[static_cast<std::size_t>(*unknown)] = mine;
+      this->PartOf[*unknown] = mine;
     }
     std::vector<int> ordered;
     ordered.reserve(static_cast<std::size_t>(end - begin));
     std::vector<Component> components;
     for (const int* first = begin; first != end; ++first)
     {
-      if (this->PartOf[static_cast<std::size_t>(*first)] != mine)
+      if (this->PartOf[*first] != mine)
       {
         continue;
       }
       const std::size_t start = ordered.size();
       const int component = ++part;
-      this->PartOf[static_cast<std::size_t>(*first)] = component;
+      this->PartOf[*first] = component;
       ordered.push_back(*first);
       for (std::size_t next = start; next < ordered.size(); ++next)
       {
@@ -152,8 +149,8 @@ public:
         std::any_of(ordered.begin() + static_cast<std::ptrdiff_t>(start), ordered.end(),
           [&](int unknown)
           {
-            const int partner = this->Partners[static_cast<std::size_t>(unknown)];
-            return partner >= 0 && this->PartOf[static_cast<std::size_t>(partner)] == component;
+            const int partner = this->Partners[unknown];
+            return partner >= 0 && this->PartOf[partner] == component;
           });
       components.push_back({ begin + start, begin + ordered.size(), twoSheets });
     }
@@ -224,7 +221,7 @@ private:
     }
   }
 
-  const Point& Place(int unknown) const { return this->Places[static_cast<std::size_t>(unknown)]; }
+  const Point& Place(int unknown) const { return this->Places[unknown]; }
 
   Eigen::AlignedBox2d Box(const int* begin, const int* end) const
   {
@@ -249,7 +246,7 @@ private:
       });
     for (const int* unknown = middle; unknown != end; ++unknown)
     {
-      this->PartOf[static_cast<std::size_t>(*unknown)] = part;
+      this->PartOf[*unknown] = part;
     }
     int* const separator = std::partition(
       begin, middle, [this, part](int unknown) { return !this->Touches(unknown, part); });
@@ -262,7 +259,7 @@ private:
   {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Matrix, unknown); entry; ++entry)
     {
-      if (this->PartOf[static_cast<std::size_t>(entry.row())] == part)
+      if (this->PartOf[entry.row()] == part)
       {
         return true;
       }

@@ -49,7 +49,7 @@ void GramMatrix::SetSizes(const std::vector<Eigen::Index>& sizes)
 
 void GramMatrix::AddToBlock(int block, const Eigen::MatrixXd& matrix)
 {
-  this->Own[static_cast<std::size_t>(block)] += matrix;
+  this->Own[block] += matrix;
 }
 
 Eigen::Index GramMatrix::Entries() const
@@ -86,8 +86,7 @@ Eigen::MatrixXd GramMatrix::operator*(const Eigen::MatrixXd& columns) const
   for (int block = 0; block < this->BlockCount(); ++block)
   {
     product.middleRows(this->First(block), this->Size(block)) =
-      DenseProduct(this->Own[static_cast<std::size_t>(block)],
-        columns.middleRows(this->First(block), this->Size(block)));
+      DenseProduct(this->Own[block], columns.middleRows(this->First(block), this->Size(block)));
   }
   Eigen::MatrixXd part;
   for (const GramNode& node : this->Nodes)
@@ -125,7 +124,7 @@ Eigen::VectorXcd GramMatrix::operator*(const Eigen::VectorXcd& column) const
 
 Eigen::MatrixXd GramMatrix::Block(int block) const
 {
-  Eigen::MatrixXd matrix = this->Own[static_cast<std::size_t>(block)];
+  Eigen::MatrixXd matrix = this->Own[block];
   for (const GramNode& node : this->Nodes)
   {
     Eigen::Index column = 0;
@@ -148,7 +147,7 @@ Eigen::MatrixXd GramMatrix::Dense() const
   for (int block = 0; block < this->BlockCount(); ++block)
   {
     dense.block(this->First(block), this->First(block), this->Size(block), this->Size(block)) =
-      this->Own[static_cast<std::size_t>(block)];
+      this->Own[block];
   }
   for (const GramNode& node : this->Nodes)
   {
@@ -181,9 +180,8 @@ GramMatrix GramMatrix::Congruence(const std::vector<Eigen::MatrixXd>& ofBlocks) 
   result.SetSizes(sizes);
   for (int block = 0; block < this->BlockCount(); ++block)
   {
-    const Eigen::MatrixXd& columns = ofBlocks[static_cast<std::size_t>(block)];
-    result.Own[static_cast<std::size_t>(block)] =
-      AdjointProduct(columns, DenseProduct(this->Own[static_cast<std::size_t>(block)], columns));
+    const Eigen::MatrixXd& columns = ofBlocks[block];
+    result.Own[block] = AdjointProduct(columns, DenseProduct(this->Own[block], columns));
   }
   for (const GramNode& node : this->Nodes)
   {
@@ -199,8 +197,8 @@ GramMatrix GramMatrix::Congruence(const std::vector<Eigen::MatrixXd>& ofBlocks) 
     Eigen::Index to = 0;
     for (const int block : node.blocks)
     {
-      turned.rows.middleCols(to, result.Size(block)) = DenseProduct(
-        node.rows.middleCols(from, this->Size(block)), ofBlocks[static_cast<std::size_t>(block)]);
+      turned.rows.middleCols(to, result.Size(block)) =
+        DenseProduct(node.rows.middleCols(from, this->Size(block)), ofBlocks[block]);
       from += this->Size(block);
       to += result.Size(block);
     }
@@ -222,14 +220,14 @@ Eigen::VectorXd GramMatrix::SquaredCouplings() const
     Eigen::Index column = 0;
     for (const int block : node.blocks)
     {
-      places[static_cast<std::size_t>(block)].push_back({ &node, column });
+      places[block].push_back({ &node, column });
       column += this->Size(block);
     }
   }
   const auto add = [&](int block, Eigen::MatrixXd& before, Eigen::VectorXd& squares)
   {
     before.setZero(this->Size(block), this->First(block));
-    for (const Place& place : places[static_cast<std::size_t>(block)])
+    for (const Place& place : places[block])
     {
       const Eigen::MatrixXd& rows = place.node->rows;
       const Eigen::MatrixXd part = AdjointProduct(

@@ -36,7 +36,7 @@ public:
   int BlockCount() const { return static_cast<int>(this->Own.size()); }
   Eigen::Index Rows() const { return this->Firsts.empty() ? 0 : this->Firsts.back(); }
   /// Returns the first row of a block.
-  Eigen::Index First(int block) const { return this->Firsts[static_cast<std::size_t>(block)]; }
+  Eigen::Index First(int block) const { return this->Firsts[block]; }
   Eigen::Index Size(int block) const { return this->First(block + 1) - this->First(block); }
 
   /// Returns the number of stored entries.

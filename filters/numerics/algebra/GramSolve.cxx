@@ -32,7 +32,7 @@ public:
       const Eigen::Index first = this->Matrix.First(block);
       const Eigen::Index size = this->Matrix.Size(block);
       solution.middleRows(first, size) =
-        this->Factors[static_cast<std::size_t>(block)].Solve(columns.middleRows(first, size));
+        this->Factors[block].Solve(columns.middleRows(first, size));
     }
     return solution;
   }

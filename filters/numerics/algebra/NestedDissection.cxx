@@ -21,7 +21,7 @@ std::vector<DissectionPart> InPostorder(std::vector<DissectionPart> parts)
   std::vector<std::vector<int>> below(parts.size());
   for (std::size_t i = 1; i < parts.size(); ++i)
   {
-    below[static_cast<std::size_t>(parts[i].parent)].push_back(static_cast<int>(i));
+    below[parts[i].parent].push_back(static_cast<int>(i));
   }
   // Parts in reverse: each before those below it.
   std::vector<int> order;
@@ -30,21 +30,21 @@ std::vector<DissectionPart> InPostorder(std::vector<DissectionPart> parts)
     const int part = open.back();
     open.pop_back();
     order.push_back(part);
-    const std::vector<int>& children = below[static_cast<std::size_t>(part)];
+    const std::vector<int>& children = below[part];
     open.insert(open.end(), children.begin(), children.end());
   }
   std::reverse(order.begin(), order.end());
   std::vector<int> numbers(parts.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    numbers[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    numbers[order[i]] = static_cast<int>(i);
   }
   std::vector<DissectionPart> sorted;
   for (const int part : order)
   {
-    sorted.push_back(std::move(parts[static_cast<std::size_t>(part)]));
+    sorted.push_back(std::move(parts[part]));
     int& parent = sorted.back().parent;
-    parent = parent < 0 ? -1 : numbers[static_cast<std::size_t>(parent)];
+    parent = parent < 0 ? -1 : numbers[parent];
   }
   return sorted;
 }

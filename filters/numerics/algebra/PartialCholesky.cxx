@@ -123,9 +123,7 @@ void PartialCholesky::ReadNodes()
   }
   for (Node& node : this->Nodes)
   {
-    node.parent = node.inner > node.width
-      ? this->NodeOf[static_cast<std::size_t>(this->RowsOf(node)[node.width])]
-      : -1;
+    node.parent = node.inner > node.width ? this->NodeOf[this->RowsOf(node)[node.width]] : -1;
   }
 
   // Release the columns of the border, which are dense and empty, and the workspace.
@@ -234,10 +232,10 @@ std::vector<PartialCholesky::Rows> PartialCholesky::SolveLowerSparse(
   {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(block, column); entry; ++entry)
     {
-      int node = this->NodeOf[static_cast<std::size_t>(entry.row())];
+      int node = this->NodeOf[entry.row()];
       while (node >= 0 && path.insert(node).second)
       {
-        node = this->Nodes[static_cast<std::size_t>(node)].parent;
+        node = this->Nodes[node].parent;
       }
     }
   }
@@ -245,8 +243,8 @@ std::vector<PartialCholesky::Rows> PartialCholesky::SolveLowerSparse(
   int size = 0;
   for (const int node : path)
   {
-    placeOf[static_cast<std::size_t>(node)] = size;
-    size += this->Nodes[static_cast<std::size_t>(node)].width;
+    placeOf[node] = size;
+    size += this->Nodes[node].width;
   }
 
   // 2. Substitute along these paths.
@@ -254,9 +252,8 @@ std::vector<PartialCholesky::Rows> PartialCholesky::SolveLowerSparse(
   work.setZero();
   const auto placeOfRow = [&](int row)
   {
-    const int node = this->NodeOf[static_cast<std::size_t>(row)];
-    return placeOf[static_cast<std::size_t>(node)] + row -
-      this->Nodes[static_cast<std::size_t>(node)].first;
+    const int node = this->NodeOf[row];
+    return placeOf[node] + row - this->Nodes[node].first;
   };
   for (Eigen::Index column = 0; column < block.outerSize(); ++column)
   {
@@ -268,9 +265,9 @@ std::vector<PartialCholesky::Rows> PartialCholesky::SolveLowerSparse(
   std::vector<Rows> solution;
   for (const int n : path)
   {
-    const Node& node = this->Nodes[static_cast<std::size_t>(n)];
+    const Node& node = this->Nodes[n];
     const auto factor = this->ValuesOf(node);
-    Eigen::MatrixXd part = work.middleRows(placeOf[static_cast<std::size_t>(n)], node.width);
+    Eigen::MatrixXd part = work.middleRows(placeOf[n], node.width);
     SolveLowerInPlace(factor.topRows(node.width), part);
     const int rest = node.height - node.width;
     const Eigen::MatrixXd below = DenseProduct(factor.bottomRows(rest), part);

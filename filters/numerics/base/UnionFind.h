@@ -1,7 +1,5 @@
 #pragma once
 
-#include "Index.h"
-
 #include <numeric>
 #include <vector>
 
@@ -18,9 +16,9 @@ public:
   }
   int Find(int i)
   {
-    while (this->Parent[Index(i)] != i)
+    while (this->Parent[i] != i)
     {
-      i = this->Parent[Index(i)] = this->Parent[Index(this->Parent[Index(i)])];
+      i = this->Parent[i] = this->Parent[this->Parent[i]];
     }
     return i;
   }
@@ -29,7 +27,7 @@ public:
   {
     i = this->Find(i);
     j = this->Find(j);
-    this->Parent[Index(i)] = j;
+    this->Parent[i] = j;
     return i != j;
   }
 

@@ -1,7 +1,5 @@
 #include "ArcDerivatives.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -22,26 +22,26 @@ ArcPaths::ArcPaths(const SeamlessMap& map, const TMesh& tMesh)
 {
   for (int h = 0; h < static_cast<int>(tMesh.halfEdges.size()); ++h)
   {
-    const THalfEdge& half = tMesh.halfEdges[Index(h)];
-    std::vector<int>& slots = this->BySlot[Index(half.node)];
+    const THalfEdge& half = tMesh.halfEdges[h];
+    std::vector<int>& slots = this->BySlot[half.node];
     slots.resize(std::max(slots.size(), Index(half.slot) + 1), -1);
-    slots[Index(half.slot)] = h;
+    slots[half.slot] = h;
   }
 }
 
 int ArcPaths::At(int node, int slot) const
 {
-  const TNode& at = this->Mesh.nodes[Index(node)];
+  const TNode& at = this->Mesh.nodes[node];
   const bool closed = at.kind == NodeKind::Singularity || at.kind == NodeKind::OnSeparatrix;
   const int wrapped = closed ? (slot + at.quarters) % at.quarters : slot;
-  const std::vector<int>& slots = this->BySlot[Index(node)];
-  return wrapped >= 0 && Index(wrapped) < slots.size() ? slots[Index(wrapped)] : -1;
+  const std::vector<int>& slots = this->BySlot[node];
+  return wrapped >= 0 && Index(wrapped) < slots.size() ? slots[wrapped] : -1;
 }
 
 void ArcPaths::Append(
   int halfEdge, const std::complex<double>& direction, std::vector<ArcPath::Piece>& pieces) const
 {
-  const std::vector<ChartPiece>& ofArc = this->Mesh.arcs[Index(halfEdge / 2)].pieces;
+  const std::vector<ChartPiece>& ofArc = this->Mesh.arcs[halfEdge / 2].pieces;
   for (std::size_t i = 0; i < ofArc.size(); ++i)
   {
     const bool forward = halfEdge % 2 == 0;
@@ -65,8 +65,8 @@ std::optional<ArcPaths::Way> ArcPaths::Follow(
   for (std::size_t passed = 0; passed < this->Mesh.halfEdges.size(); ++passed)
   {
     this->Append(halfEdge, direction, way.pieces);
-    const THalfEdge& back = this->Mesh.halfEdges[Index(TMesh::Twin(halfEdge))];
-    const TNode& node = this->Mesh.nodes[Index(back.node)];
+    const THalfEdge& back = this->Mesh.halfEdges[TMesh::Twin(halfEdge)];
+    const TNode& node = this->Mesh.nodes[back.node];
     way.cone = node.cone;
     if (node.cone >= 0)
     {
@@ -84,11 +84,11 @@ std::optional<ArcPaths::Way> ArcPaths::Follow(
 std::optional<ArcPaths::Way> ArcPaths::FromEnd(
   int halfEdge, const std::complex<double>& direction) const
 {
-  const THalfEdge& half = this->Mesh.halfEdges[Index(halfEdge)];
-  const TNode& node = this->Mesh.nodes[Index(half.node)];
+  const THalfEdge& half = this->Mesh.halfEdges[halfEdge];
+  const TNode& node = this->Mesh.nodes[half.node];
   Way way;
   way.cone = node.cone;
-  const bool onBoundary = this->Mesh.arcs[Index(halfEdge / 2)].onBoundary;
+  const bool onBoundary = this->Mesh.arcs[halfEdge / 2].onBoundary;
   // Along the boundary the direction of crosses does not change, so it adds nothing to a derivative.
   if (node.cone >= 0 || (node.kind == NodeKind::OnBoundary && !onBoundary))
   {
@@ -98,7 +98,7 @@ std::optional<ArcPaths::Way> ArcPaths::FromEnd(
   for (const int turn : { 1, -1 })
   {
     const int side = this->At(half.node, half.slot + turn);
-    if (side < 0 || this->Mesh.arcs[Index(side / 2)].onBoundary || !LeadsToStart(side))
+    if (side < 0 || this->Mesh.arcs[side / 2].onBoundary || !LeadsToStart(side))
     {
       continue;
     }
@@ -138,8 +138,8 @@ std::vector<ArcPath> ArcPaths::Joined() const
   std::vector<ArcPath> joined;
   for (int h = 0; h < static_cast<int>(this->Mesh.halfEdges.size()); ++h)
   {
-    const int cone = this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(h)].node)].cone;
-    if (cone < 0 || this->Mesh.arcs[Index(h / 2)].onBoundary)
+    const int cone = this->Mesh.nodes[this->Mesh.halfEdges[h].node].cone;
+    if (cone < 0 || this->Mesh.arcs[h / 2].onBoundary)
     {
       continue;
     }

@@ -1,7 +1,5 @@
 #include "CrossDirection.h"
 
-#include "Index.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>

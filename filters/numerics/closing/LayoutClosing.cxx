@@ -42,7 +42,7 @@ std::vector<int> CoarseCounts(const TMesh& tMesh, const ClosingOptions& options,
   QuantisationProblem problem = MakeQuantisationProblem(tMesh, std::move(target));
   for (const int arc : kept)
   {
-    problem.lower[Index(arc)] = 1;
+    problem.lower[arc] = 1;
   }
   return Quantise(tMesh, problem, SearchEffort::Quick).counts;
 }
@@ -143,7 +143,7 @@ public:
     for (Eigen::Index m = 0; m < count; ++m)
     {
       const Cone& cone = this->Response.ConeOf(static_cast<std::size_t>(m));
-      next[Index(cone.row)].position +=
+      next[cone.row].position +=
         fraction * this->Scale[2 * m] * (turn * this->Step.moves.segment<2>(2 * m));
     }
     return next;
@@ -164,7 +164,7 @@ private:
     for (int arc = 0; arc < static_cast<int>(counts.size()); ++arc)
     {
       const bool isLeftOut = std::find(leftOut.begin(), leftOut.end(), arc) != leftOut.end();
-      if (counts[Index(arc)] == 0 && !isLeftOut && this->Rows[Index(arc)].size() > 0)
+      if (counts[arc] == 0 && !isLeftOut && this->Rows[arc].size() > 0)
       {
         this->Arcs.push_back(arc);
       }
@@ -175,11 +175,11 @@ private:
     this->Conditions.length = Eigen::VectorXd::Zero(count + joined);
     for (Eigen::Index row = 0; row < joined; ++row)
     {
-      this->Conditions.lengths.row(count + row) = this->Joined[static_cast<std::size_t>(row)];
+      this->Conditions.lengths.row(count + row) = this->Joined[row];
     }
     for (Eigen::Index row = 0; row < count; ++row)
     {
-      const std::size_t arc = Index(this->Arcs[static_cast<std::size_t>(row)]);
+      const std::size_t arc = Index(this->Arcs[row]);
       this->Conditions.lengths.row(row) = this->Rows[arc];
       this->Conditions.length[row] = this->Start.tMesh.arcs[arc].length / this->Options.size;
     }
@@ -193,9 +193,9 @@ private:
     std::vector<int> arcs;
     for (int arc = 0; arc < static_cast<int>(counts.size()); ++arc)
     {
-      if (counts[Index(arc)] == 0 && !this->IsKnown[Index(arc)])
+      if (counts[arc] == 0 && !this->IsKnown[arc])
       {
-        this->IsKnown[Index(arc)] = true;
+        this->IsKnown[arc] = true;
         arcs.push_back(arc);
       }
     }
@@ -207,10 +207,10 @@ private:
       {
         for (int i = begin; i < end; ++i)
         {
-          const int arc = arcs[Index(i)];
+          const int arc = arcs[i];
           if (const std::optional<ArcPath> path = paths.Of(arc))
           {
-            this->Rows[Index(arc)] = this->RowOf(*path);
+            this->Rows[arc] = this->RowOf(*path);
           }
         }
       },
@@ -249,8 +249,8 @@ private:
       const std::size_t before = kept.size();
       for (const Eigen::Index row : rows)
       {
-        const int arc = this->Arcs[static_cast<std::size_t>(row)];
-        (isLast || fine[Index(arc)] == 0 ? leftOut : kept).push_back(arc);
+        const int arc = this->Arcs[row];
+        (isLast || fine[arc] == 0 ? leftOut : kept).push_back(arc);
       }
       if (kept.size() > before)
       {
@@ -279,7 +279,7 @@ std::vector<int> FindArcsToClose(const TMesh& tMesh, const ClosingOptions& optio
   std::vector<int> arcs;
   for (int arc = 0; arc < static_cast<int>(counts.size()); ++arc)
   {
-    if (counts[Index(arc)] == 0)
+    if (counts[arc] == 0)
     {
       arcs.push_back(arc);
     }

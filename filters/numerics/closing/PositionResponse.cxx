@@ -1,7 +1,6 @@
 #include "PositionResponse.h"
 
 #include "ConjugateField.h"
-#include "Index.h"
 #include "LogSource.h"
 
 #include <algorithm>
@@ -20,7 +19,7 @@ Eigen::MatrixXd Sources(
     Eigen::MatrixXd::Zero(potential.Rows(), static_cast<Eigen::Index>(2 * moving.size()));
   for (std::size_t m = 0; m < moving.size(); ++m)
   {
-    const Cone& cone = map.cones[Index(moving[m])];
+    const Cone& cone = map.cones[moving[m]];
     const Point& position = topology.PointAt(cone.vertex);
     auto columns = sources.middleCols<2>(static_cast<Eigen::Index>(2 * m));
     for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
@@ -56,7 +55,7 @@ Eigen::VectorXd FindAccurateDistances(const SeamlessMap& map, const std::vector<
   Eigen::VectorXd distances(static_cast<Eigen::Index>(moving.size()));
   for (std::size_t m = 0; m < moving.size(); ++m)
   {
-    const int vertex = map.cones[Index(moving[m])].vertex;
+    const int vertex = map.cones[moving[m]].vertex;
     double distance = 2.5 * sums[vertex] / counts[vertex];
     for (const Cone& cone : map.cones)
     {
@@ -78,7 +77,7 @@ PositionResponse::PositionResponse(const SeamlessMap& map,
 {
   for (int c = 0; c < static_cast<int>(map.cones.size()); ++c)
   {
-    const Cone& cone = map.cones[Index(c)];
+    const Cone& cone = map.cones[c];
     if (cone.row >= 0 && !cone.onBoundary)
     {
       this->Moving.push_back(c);
@@ -135,8 +134,8 @@ void PositionResponse::AddRegular(int triangle, const Point& place,
   const std::complex<double>& factor, Eigen::Ref<Eigen::VectorXcd> row) const
 {
   const PlanarTopology& topology = *RequirePlanar(this->Map.topology);
-  const auto& vertices = topology.mesh.triangles[Index(triangle)];
-  const auto& edges = topology.edges.ofTriangle[Index(triangle)];
+  const auto& vertices = topology.mesh.triangles[triangle];
+  const auto& edges = topology.edges.ofTriangle[triangle];
   const auto point = [&](std::size_t k) -> const Point&
   { return topology.PointAt(vertices[k % 3]); };
   const double area = Cross(point(1) - point(0), point(2) - point(0));

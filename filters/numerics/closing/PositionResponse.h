@@ -27,10 +27,7 @@ public:
   /// one are columns 2m and 2m + 1 of all derivatives.
   const std::vector<int>& GetMoving() const { return this->Moving; }
   Eigen::Index Columns() const { return static_cast<Eigen::Index>(2 * this->Moving.size()); }
-  const Cone& ConeOf(std::size_t m) const
-  {
-    return this->Map.cones[static_cast<std::size_t>(this->Moving[m])];
-  }
+  const Cone& ConeOf(std::size_t m) const { return this->Map.cones[this->Moving[m]]; }
   Point PositionOf(std::size_t m) const
   {
     return this->Map.topology->PositionOf(this->ConeOf(m).vertex).head<2>();

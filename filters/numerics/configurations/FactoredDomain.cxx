@@ -24,7 +24,7 @@ std::unique_ptr<const BaseTriangulation> Triangulate(const PlanarTopology& topol
   std::vector<bool> onBoundary(topology.mesh.points.size(), false);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
   {
-    onBoundary[static_cast<std::size_t>(edge.vertices[0])] = true;
+    onBoundary[edge.vertices[0]] = true;
   }
   std::vector<Point> inside;
   for (std::size_t v = 0; v < onBoundary.size(); ++v)

@@ -157,8 +157,7 @@ FieldConfiguration ReadConfiguration(
       { return topology.VertexOf(candidate) == singularity.vertex; });
     if (corner != count.corners.end())
     {
-      fieldIndices[static_cast<std::size_t>(corner - count.corners.begin())] =
-        singularity.quarterIndex;
+      fieldIndices[corner - count.corners.begin()] = singularity.quarterIndex;
     }
     else
     {

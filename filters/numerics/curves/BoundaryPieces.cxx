@@ -19,7 +19,7 @@ namespace
 const char* NameOf(CurveDeclaration::Kind kind)
 {
   constexpr std::array<const char*, 4> Names = { "line", "circle", "ellipse", "spline" };
-  return Names[static_cast<std::size_t>(kind)];
+  return Names[kind];
 }
 
 /// Consecutive segments of a loop.
@@ -115,13 +115,13 @@ public:
         {
           continue;
         }
-        const PlaneCurve& data = given.curves[static_cast<std::size_t>(curve)];
+        const PlaneCurve& data = given.curves[curve];
         this->Taken[l][i] = true;
         if (data.kind == PlaneCurve::Kind::Line)
         {
           continue;
         }
-        int& number = numbers[static_cast<std::size_t>(curve)];
+        int& number = numbers[curve];
         if (number < 0)
         {
           number = static_cast<int>(this->Result.curves.size());

@@ -19,7 +19,7 @@ void RequireNurbs(const PlaneCurve& curve)
     count > Index(curve.degree) && curve.weights.size() == count &&
     curve.knots.size() == count + Index(curve.degree) + 1 &&
     std::is_sorted(curve.knots.begin(), curve.knots.end()) &&
-    curve.knots[Index(curve.degree)] < curve.knots[count] &&
+    curve.knots[curve.degree] < curve.knots[count] &&
     std::all_of(
       curve.weights.begin(), curve.weights.end(), [](double weight) { return weight > 0.0; });
   if (!isValid)
@@ -42,7 +42,7 @@ CurveEvaluator::CurveEvaluator(PlaneCurve curve)
   if (this->Data.kind == PlaneCurve::Kind::Nurbs)
   {
     RequireNurbs(this->Data);
-    this->Start = this->Data.knots[Index(this->Data.degree)];
+    this->Start = this->Data.knots[this->Data.degree];
     this->End = this->Data.knots[this->Data.points.size()];
     this->Closed = false;
   }

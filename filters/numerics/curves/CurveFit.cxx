@@ -109,7 +109,7 @@ PlaneCurve FitCircle(const std::vector<Point>& points, FitEnds ends)
   Eigen::VectorXd right(count);
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    const Point& p = frame.points[static_cast<std::size_t>(i)];
+    const Point& p = frame.points[i];
     matrix.row(i) << p.x(), p.y(), 1.0;
     right[i] = -p.squaredNorm();
   }
@@ -128,8 +128,8 @@ PlaneCurve FitCircle(const std::vector<Point>& points, FitEnds ends)
     {
       for (Eigen::Index i = 0; i < count; ++i)
       {
-        const Point offset = frame.points[static_cast<std::size_t>(i)] - Point(x[0], x[1]);
-        const double weight = frame.weights[static_cast<std::size_t>(i)];
+        const Point offset = frame.points[i] - Point(x[0], x[1]);
+        const double weight = frame.weights[i];
         const double distance = offset.norm();
         residual[i] = weight * (distance - x[2]);
         jacobian.row(i) << -weight * offset.x() / distance, -weight * offset.y() / distance,
@@ -166,7 +166,7 @@ Eigen::VectorXd StartOfEllipse(const FitFrame& frame)
   Eigen::MatrixXd linear(count, 3);
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    const Point& p = frame.points[static_cast<std::size_t>(i)];
+    const Point& p = frame.points[i];
     squares.row(i) << p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
     linear.row(i) << p.x(), p.y(), 1.0;
   }

@@ -3,7 +3,6 @@
 #include "BoundaryCorners.h"
 #include "CurvedLoops.h"
 #include "Error.h"
-#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +144,7 @@ private:
 
   const CurveEvaluator& EvaluatorOf(std::size_t l, std::size_t segment) const
   {
-    return this->Evaluators[Index(this->CurveOf(l, segment))];
+    return this->Evaluators[this->CurveOf(l, segment)];
   }
 
   const Point& Vertex(std::size_t l, std::size_t i) const

@@ -1,7 +1,5 @@
 #include "CurvedLoops.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -41,8 +39,8 @@ CurvedLoops::CurvedLoops(const CurvedBoundary& boundary, const std::vector<LoopA
       segments[i].curve = along.At(l, 0.5 * (loops[l].Start(i) + loops[l].Start(i + 1)));
       if (segments[i].curve >= 0)
       {
-        segments[i].parameters = ParametersOf(this->Evaluators[Index(segments[i].curve)],
-          vertices[i], vertices[(i + 1) % vertices.size()]);
+        segments[i].parameters = ParametersOf(
+          this->Evaluators[segments[i].curve], vertices[i], vertices[(i + 1) % vertices.size()]);
       }
     }
     for (std::size_t i = 0; i < segments.size(); ++i)
@@ -72,7 +70,7 @@ Point CurvedLoops::At(const LoopArc& arc, std::size_t loop, double at) const
     return arc.At(at);
   }
   const SegmentParameters& ends = segment.parameters;
-  return this->Evaluators[Index(segment.curve)].At(ends.from + fraction * (ends.to - ends.from));
+  return this->Evaluators[segment.curve].At(ends.from + fraction * (ends.to - ends.from));
 }
 
 Point CurvedLoops::Derivative(const LoopArc& arc, std::size_t loop, double at) const
@@ -89,7 +87,7 @@ Point CurvedLoops::Derivative(const LoopArc& arc, std::size_t loop, double at) c
   }
   const SegmentParameters& ends = segment.parameters;
   const CurveFrame frame =
-    this->Evaluators[Index(segment.curve)].FrameAt(ends.from + fraction * (ends.to - ends.from));
+    this->Evaluators[segment.curve].FrameAt(ends.from + fraction * (ends.to - ends.from));
   return (ends.to - ends.from) / (arc.Start(side + 1) - arc.Start(side)) * frame.first;
 }
 
@@ -113,7 +111,7 @@ double CurvedLoops::Nearest(const LoopArc& arc, std::size_t loop, const Point& p
     }
     const double from = segment.parameters.from;
     const double parameter =
-      this->Evaluators[Index(segment.curve)].NearestFrom(place, from + fraction * extent);
+      this->Evaluators[segment.curve].NearestFrom(place, from + fraction * extent);
     const double found = (parameter - from) / extent;
     const std::size_t next =
       found < 0.0 ? (side + segments.size() - 1) % segments.size() : (side + 1) % segments.size();

@@ -65,10 +65,7 @@ public:
   Point WorstImage = Point::Zero();
 
 private:
-  const LoopArc& ArcOf(const SideSpan& span) const
-  {
-    return this->Loops[static_cast<std::size_t>(span.loop)];
-  }
+  const LoopArc& ArcOf(const SideSpan& span) const { return this->Loops[span.loop]; }
 
   /// Returns the positions of the vertices of a side, between 0 and 1.
   std::vector<double> PartsOf(const SideSpan& span) const
@@ -167,7 +164,7 @@ void RequireOnce(const std::vector<std::array<std::string, 2>>& pairs)
 SideSpan FindSpan(const BoundarySides& sides, const std::vector<LoopArc>& loops, int side)
 {
   const SidesAlong along(sides, loops);
-  const std::string& name = sides.names[static_cast<std::size_t>(side)];
+  const std::string& name = sides.names[side];
   SideSpan span;
   int pieces = 0;
   for (std::size_t loop = 0; loop < loops.size(); ++loop)

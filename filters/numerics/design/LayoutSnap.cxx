@@ -1,6 +1,5 @@
 #include "LayoutSnap.h"
 
-#include "Index.h"
 #include "LayoutClosing.h"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ double LongestOf(const std::vector<int>& arcs, const TMesh& tMesh)
   double longest = 0.0;
   for (const int arc : arcs)
   {
-    longest = std::max(longest, tMesh.arcs[Index(arc)].length);
+    longest = std::max(longest, tMesh.arcs[arc].length);
   }
   return longest;
 }

@@ -1,7 +1,5 @@
 #include "PatchColours.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -19,7 +17,7 @@ Loop OutlineOf(const TMesh& mesh, const TPatch& patch)
   {
     for (const int half : side)
     {
-      std::vector<SpacePoint> path = mesh.arcs[Index(half / 2)].polyline;
+      std::vector<SpacePoint> path = mesh.arcs[half / 2].polyline;
       if (half % 2 == 1)
       {
         std::reverse(path.begin(), path.end());
@@ -91,11 +89,11 @@ int RarestColour(const TMesh& mesh, const TPatch& patch, const std::vector<Patch
   {
     for (const int half : side)
     {
-      const int neighbour = mesh.halfEdges[Index(TMesh::Twin(half))].patch;
-      const int colour = neighbour < 0 ? -1 : patches[Index(neighbour)].colour;
+      const int neighbour = mesh.halfEdges[TMesh::Twin(half)].patch;
+      const int colour = neighbour < 0 ? -1 : patches[neighbour].colour;
       if (colour >= 0)
       {
-        ++counts[Index(colour)];
+        ++counts[colour];
       }
     }
   }

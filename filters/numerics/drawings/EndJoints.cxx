@@ -248,8 +248,7 @@ void EndJoints::ReportOpen(Index end) const
   const long under = this->PieceUnder(end);
   if (under >= 0)
   {
-    throw Error("At " + Describe(place) + " " + origin + " ends on " +
-      this->Pieces[static_cast<std::size_t>(under)].origin +
+    throw Error("At " + Describe(place) + " " + origin + " ends on " + this->Pieces[under].origin +
       "; remove what is no part of the boundary.");
   }
   throw Error("The drawing is open at " + Describe(place) + ", an end of " + origin +

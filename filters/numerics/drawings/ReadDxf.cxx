@@ -35,8 +35,7 @@ std::string UnitName(int code)
 {
   constexpr std::array<const char*, 21> Names = { "", "in", "ft", "mi", "mm", "cm", "m", "km",
     "µin", "mil", "yd", "Å", "nm", "µm", "dm", "dam", "hm", "Gm", "au", "ly", "pc" };
-  return code >= 0 && code < static_cast<int>(Names.size()) ? Names[static_cast<std::size_t>(code)]
-                                                            : "";
+  return code >= 0 && code < static_cast<int>(Names.size()) ? Names[code] : "";
 }
 
 /// Reads the sections of a file and inserts the blocks.

@@ -13,7 +13,7 @@ SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
   std::vector<int> unknown(static_cast<std::size_t>(matrix.rows()), -1);
   for (std::size_t i = 0; i < free.size(); ++i)
   {
-    unknown[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
+    unknown[free[i]] = static_cast<int>(i);
   }
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
@@ -21,7 +21,7 @@ SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
   {
     for (SparseMatrix::InnerIterator entry(matrix, free[i]); entry; ++entry)
     {
-      const int row = unknown[static_cast<std::size_t>(entry.row())];
+      const int row = unknown[entry.row()];
       if (row >= 0)
       {
         entries.emplace_back(row, static_cast<int>(i), entry.value());
@@ -46,7 +46,7 @@ AlignedProblem::AlignedProblem(const PlanarTopology& topology, const Eigen::Vect
     const BoundaryEdge& edge = topology.mesh.boundary[i];
     if (edge.IsAligned())
     {
-      aligned[static_cast<std::size_t>(edges.ofBoundary[i])] = true;
+      aligned[edges.ofBoundary[i]] = true;
       this->fixed.push_back(edges.ofBoundary[i]);
       values.push_back(AlignedRepresentation(
         topology.PointAt(edge.vertices[1]) - topology.PointAt(edge.vertices[0])));
@@ -56,7 +56,7 @@ AlignedProblem::AlignedProblem(const PlanarTopology& topology, const Eigen::Vect
     Eigen::Map<const ComplexVector>(values.data(), static_cast<Eigen::Index>(values.size()));
   for (int edge = 0; edge < edges.Count(); ++edge)
   {
-    if (!aligned[static_cast<std::size_t>(edge)])
+    if (!aligned[edge])
     {
       this->free.push_back(edge);
       this->places.push_back(topology.Midpoint(edge));

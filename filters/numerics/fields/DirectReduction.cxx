@@ -11,7 +11,7 @@ DirectReduction::DirectReduction(
   std::vector<int> freePosition(static_cast<std::size_t>(topology.edges.Count()), -1);
   for (std::size_t i = 0; i < this->Aligned.free.size(); ++i)
   {
-    freePosition[static_cast<std::size_t>(this->Aligned.free[i])] = static_cast<int>(i);
+    freePosition[this->Aligned.free[i]] = static_cast<int>(i);
   }
   for (const BoundaryLoop& loop : loops)
   {
@@ -19,7 +19,7 @@ DirectReduction::DirectReduction(
       ConstrainLoop(topology, loop, static_cast<int>(this->Constrained.size())));
     for (const int edge : EdgesOf(loop, topology.edges))
     {
-      this->Constrained.push_back(freePosition[static_cast<std::size_t>(edge)]);
+      this->Constrained.push_back(freePosition[edge]);
     }
   }
   this->Factor = std::make_unique<SparseCholesky>(
@@ -44,8 +44,7 @@ ComplexVector DirectReduction::ValuesOf(const ComplexVector& u) const
   ComplexVector values(static_cast<Eigen::Index>(this->Constrained.size()));
   for (std::size_t i = 0; i < this->Constrained.size(); ++i)
   {
-    values[static_cast<Eigen::Index>(i)] =
-      u[this->Aligned.free[static_cast<std::size_t>(this->Constrained[i])]];
+    values[static_cast<Eigen::Index>(i)] = u[this->Aligned.free[this->Constrained[i]]];
   }
   return values;
 }

@@ -66,7 +66,7 @@ double ResolveEpsilon(const GinzburgLandauOptions& options, const PlanarTopology
     const double here = TriangleArea(topology.mesh, topology.mesh.triangles[t]);
     for (const int edge : edges.ofTriangle[t])
     {
-      const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
+      const auto& [from, to] = edges.vertices[edge];
       area += here;
       sum += here * (topology.PointAt(to) - topology.PointAt(from)).norm();
     }

@@ -76,8 +76,7 @@ Eigen::VectorXd AssembleValues(
   std::vector<std::array<Point, 2>> boundary;
   for (const BoundaryEdge& edge : mesh.boundary)
   {
-    boundary.push_back({ mesh.points[static_cast<std::size_t>(edge.vertices[0])],
-      mesh.points[static_cast<std::size_t>(edge.vertices[1])] });
+    boundary.push_back({ mesh.points[edge.vertices[0]], mesh.points[edge.vertices[1]] });
   }
   for (const LogSource& log : solution.logs)
   {
@@ -88,7 +87,7 @@ Eigen::VectorXd AssembleValues(
     {
       for (int v = begin; v < end; ++v)
       {
-        values[v] += SumOfLogs(solution.logs, mesh.points[static_cast<std::size_t>(v)]);
+        values[v] += SumOfLogs(solution.logs, mesh.points[v]);
       }
     });
   SetCores(potential, solution, values);
@@ -117,8 +116,7 @@ ComplexVector AssembleField(
   }
   for (std::size_t i = 0; onCurves > 0 && i < topology.mesh.boundary.size(); ++i)
   {
-    seenFromCurves[static_cast<std::size_t>(topology.edges.ofBoundary[i])] =
-      potential.GetCurveMiddles()[i];
+    seenFromCurves[topology.edges.ofBoundary[i]] = potential.GetCurveMiddles()[i];
   }
   const std::size_t singularities = solution.logs.size() - ofBoundary.size();
   ComplexVector u(phase.size());
@@ -131,7 +129,7 @@ ComplexVector AssembleField(
           UnitOfTurns(solution.logs, singularities, topology.Midpoint(e));
         if (onCurves > 0)
         {
-          u[e] *= UnitOfTurns(ofBoundary, onCurves, seenFromCurves[static_cast<std::size_t>(e)]);
+          u[e] *= UnitOfTurns(ofBoundary, onCurves, seenFromCurves[e]);
         }
       }
     });

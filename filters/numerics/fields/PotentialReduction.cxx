@@ -26,7 +26,7 @@ Eigen::MatrixXd AlignedLoad(const PotentialProblem& problem)
   }
   for (Eigen::Index k = 0; k < potential.PeriodCount(); ++k)
   {
-    const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
+    const Cycle& cycle = topology.cycles[k];
     // On a hole the cross is 0, because the values on its edges are unknowns.
     set(potential.PeriodRow(k), crosses[cycle.firstBoundaryEdge] - crosses[cycle.lastBoundaryEdge]);
   }

@@ -41,7 +41,7 @@ std::vector<bool> FindUnitLoops(
       throw Error("Unit norm was requested on hole " + std::to_string(row) +
         ", which the mesh does not have; give rows of the configuration, counted from 0.");
     }
-    unit[static_cast<std::size_t>(found - loops.begin())] = true;
+    unit[found - loops.begin()] = true;
   }
   return unit;
 }
@@ -272,7 +272,7 @@ private:
     {
       for (int& unknown : constraint.unknowns)
       {
-        unknown = this->Reduction.FreePositions()[static_cast<std::size_t>(unknown)];
+        unknown = this->Reduction.FreePositions()[unknown];
       }
       if (!this->Options.globalConstraint)
       {

@@ -69,10 +69,10 @@ public:
       const std::vector<CellFace>& second = this->Faces.OfSide(pair.second);
       for (std::size_t i = 0; i < first.size(); ++i)
       {
-        const CellFace& image = second[Index(match.faces[i])];
-        this->OfSide[Index(pair.second)][i] = image;
+        const CellFace& image = second[match.faces[i]];
+        this->OfSide[pair.second][i] = image;
         this->FirstCorner[this->Faces.NumberOf(image)] = this->Numbering.NumberOf(
-          match.nodes.at(this->Numbering.UsedPoints()[Index(this->Numbering.OfFace(first[i])[0])]));
+          match.nodes.at(this->Numbering.UsedPoints()[this->Numbering.OfFace(first[i])[0]]));
       }
     }
   }
@@ -113,7 +113,7 @@ public:
     }
     for (int cell = 0; cell < this->Mesh.CellCount() && names.size() > 1; ++cell)
     {
-      this->Result.cellZones[Index(this->Mesh.region[Index(cell)])].members.push_back(cell);
+      this->Result.cellZones[this->Mesh.region[cell]].members.push_back(cell);
     }
     const std::vector<std::string> sides = FormatNames(this->Mesh.sideNames, {});
     for (std::size_t side = 0; side < sides.size(); ++side)
@@ -172,7 +172,7 @@ private:
         throw Error("The side '" + this->Mesh.sideNames[side] +
           "' is in part on the boundary and in part inside; give the parts two names.");
       }
-      faces.push_back(std::max(this->Added[own], this->Added[Index(partner)]));
+      faces.push_back(std::max(this->Added[own], this->Added[partner]));
     }
     return faces;
   }
@@ -207,7 +207,7 @@ std::vector<FoamPatch> FoamPatches(const SolverMesh& mesh, std::vector<int>& pat
       continue;
     }
     patchOf.push_back(static_cast<int>(names.size()));
-    names.push_back(mesh.sideNames[Index(side)]);
+    names.push_back(mesh.sideNames[side]);
     types.emplace_back(isEnd ? "wedge" : "patch");
   }
   if (isFlat)
@@ -224,8 +224,8 @@ std::vector<FoamPatch> FoamPatches(const SolverMesh& mesh, std::vector<int>& pat
   }
   for (const SidePair& pair : mesh.pairs)
   {
-    FoamPatch& first = patches[Index(patchOf[Index(pair.first)])];
-    FoamPatch& second = patches[Index(patchOf[Index(pair.second)])];
+    FoamPatch& first = patches[patchOf[pair.first]];
+    FoamPatch& second = patches[patchOf[pair.second]];
     first.type = second.type = "cyclic";
     first.neighbour = second.name;
     second.neighbour = first.name;

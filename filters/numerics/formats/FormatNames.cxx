@@ -1,7 +1,5 @@
 #include "FormatNames.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <map>
 #include <set>

@@ -110,7 +110,7 @@ void NetCdf::AddTexts(const std::string& name, const std::vector<int>& dimension
   const std::vector<std::string>& texts)
 {
   Variable variable = { name, dimensions, {}, Character, {} };
-  const std::size_t length = Index(this->Dimensions[Index(dimensions.back())].length);
+  const std::size_t length = Index(this->Dimensions[dimensions.back()].length);
   for (const std::string& text : texts)
   {
     std::string cell = text.substr(0, length - 1);
@@ -141,7 +141,7 @@ std::string NetCdf::Header(std::uint64_t dataBegin, std::uint64_t dataEnd) const
     for (const int dimension : variable.dimensions)
     {
       AddInteger(dimension, bytes);
-      isRecord = isRecord || this->Dimensions[Index(dimension)].length == 0;
+      isRecord = isRecord || this->Dimensions[dimension].length == 0;
     }
     AddAttributes(variable.attributes, bytes);
     AddInteger(variable.type, bytes);

@@ -47,7 +47,7 @@ public:
         const int node = block.NodeAt(PlaceOfCorner(block, corner));
         if (this->Vertices.emplace(node, static_cast<int>(this->Vertices.size())).second)
         {
-          this->Text.Add("    (").Add(this->Mesh.points[Index(node)]).Add(")\n");
+          this->Text.Add("    (").Add(this->Mesh.points[node]).Add(")\n");
         }
       }
     }
@@ -103,7 +103,7 @@ public:
         this->Text.Add(this->Vertices.at(nodes.back())).Add(" (");
         for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
         {
-          this->Text.Add(i == 1 ? "(" : " (").Add(this->Mesh.points[Index(nodes[i])]).Add(')');
+          this->Text.Add(i == 1 ? "(" : " (").Add(this->Mesh.points[nodes[i]]).Add(')');
         }
         this->Text.Add(")\n");
       }
@@ -133,7 +133,7 @@ public:
         {
           vertices[i] = this->VertexAt(block, corners[i]);
         }
-        faces[Index(patchOf[Index(side)])].push_back(vertices);
+        faces[patchOf[side]].push_back(vertices);
       }
     }
     this->Text.Add("boundary\n(\n");
@@ -162,7 +162,7 @@ public:
 private:
   static Place PlaceOfCorner(const MeshBlock& block, int corner)
   {
-    const Place& end = Corners[Index(corner)];
+    const Place& end = Corners[corner];
     return { end[0] * block.cells[0], end[1] * block.cells[1], end[2] * block.cells[2] };
   }
 
@@ -190,7 +190,7 @@ private:
 
   double Distance(int a, int b) const
   {
-    return (this->Mesh.points[Index(a)] - this->Mesh.points[Index(b)]).norm();
+    return (this->Mesh.points[a] - this->Mesh.points[b]).norm();
   }
 
   /// Returns the length of the last cell over that of the first one; inverse along the reversed edge, to the last
@@ -208,8 +208,8 @@ private:
 
   bool IsStraight(const std::vector<int>& nodes) const
   {
-    const Eigen::Vector3d& start = this->Mesh.points[Index(nodes.front())];
-    const Eigen::Vector3d chord = this->Mesh.points[Index(nodes.back())] - start;
+    const Eigen::Vector3d& start = this->Mesh.points[nodes.front()];
+    const Eigen::Vector3d chord = this->Mesh.points[nodes.back()] - start;
     const double length = chord.norm();
     if (length == 0.0)
     {
@@ -218,7 +218,7 @@ private:
     return std::all_of(nodes.begin(), nodes.end(),
       [&](int node)
       {
-        const Eigen::Vector3d way = this->Mesh.points[Index(node)] - start;
+        const Eigen::Vector3d way = this->Mesh.points[node] - start;
         return (way - way.dot(chord) / (length * length) * chord).norm() < Rounding * length;
       });
   }

@@ -83,13 +83,13 @@ std::vector<int> AddBlocks(
     std::vector<int> nodes;
     for (int cell = 0; cell < mesh.CellCount(); ++cell)
     {
-      if (mesh.region[Index(cell)] != static_cast<int>(region))
+      if (mesh.region[cell] != static_cast<int>(region))
       {
         continue;
       }
       const std::vector<int> ofCell = numbering.OfCell(cell);
       nodes.insert(nodes.end(), ofCell.begin(), ofCell.end());
-      element[Index(cell)] = next++;
+      element[cell] = next++;
     }
     if (next > first)
     {
@@ -117,8 +117,8 @@ void AddSets(const std::vector<std::vector<CellFace>>& sets, const ElementKind& 
     std::vector<int> sides;
     for (const CellFace& face : sets[side])
     {
-      elements.push_back(element[Index(face.cell)]);
-      sides.push_back(kind.faces[Index(face.face)]);
+      elements.push_back(element[face.cell]);
+      sides.push_back(kind.faces[face.face]);
     }
     const int inSet = file.AddDimension("num_side_ss" + number, static_cast<int>(sides.size()));
     file.AddIntegers("elem_ss" + number, { inSet }, elements);
@@ -147,7 +147,7 @@ std::string WriteExodus(const SolverMesh& mesh)
   std::vector<int> sizes(mesh.regionNames.size(), 0);
   for (const int region : mesh.region)
   {
-    ++sizes[Index(region)];
+    ++sizes[region];
   }
   AddGroups("eb", "num_el_blk", nameLength, mesh.regionNames, sizes, file);
   sizes.clear();
@@ -165,9 +165,9 @@ std::string WriteExodus(const SolverMesh& mesh)
     values.reserve(numbering.UsedPoints().size());
     for (const int point : numbering.UsedPoints())
     {
-      values.push_back(mesh.points[Index(point)][axis]);
+      values.push_back(mesh.points[point][axis]);
     }
-    file.AddNumbers("coord" + axisNames[Index(axis)], { nodes }, values);
+    file.AddNumbers("coord" + axisNames[axis], { nodes }, values);
   }
   AddSets(faces.OfSides(), kind, AddBlocks(mesh, kind, numbering, file), file);
   return file.Bytes();

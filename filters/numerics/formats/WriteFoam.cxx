@@ -26,7 +26,7 @@ std::string WritePoints(const SolverMesh& mesh, const FoamMesh& foam)
   text.Add(static_cast<int>(foam.point.size())).Add("\n(\n");
   for (const int point : foam.point)
   {
-    text.Add('(').Add(mesh.points[Index(point)]).Add(")\n");
+    text.Add('(').Add(mesh.points[point]).Add(")\n");
   }
   return text.Add(")\n").Take();
 }
@@ -120,7 +120,7 @@ void RequireAxis(const SolverMesh& mesh)
     return;
   }
   const int* corners = mesh.Cell(0); // along the height, 0 is below 4
-  const Eigen::Vector3d height = mesh.points[Index(corners[4])] - mesh.points[Index(corners[0])];
+  const Eigen::Vector3d height = mesh.points[corners[4]] - mesh.points[corners[0]];
   constexpr double Tolerance = 1e-9; // rounding of a sweep along a normal that was computed
   if (height.cwiseAbs().maxCoeff() < (1.0 - Tolerance) * height.norm())
   {
@@ -172,7 +172,7 @@ double FoamThickness(const SolverMesh& quads)
   Eigen::AlignedBox3d box;
   for (const int node : quads.cells)
   {
-    box.extend(quads.points[Index(node)]);
+    box.extend(quads.points[node]);
   }
   // Solvers ignore the thickness; this one is not far from usual lengths of edges.
   constexpr double Part = 0.1;

@@ -29,7 +29,7 @@ void AddNodes(const SolverMesh& mesh, const ElementNodes& numbering, MeshText& t
   text.Add("*NODE, NSET=NALL\n");
   for (std::size_t i = 0; i < numbering.UsedPoints().size(); ++i)
   {
-    const Eigen::Vector3d& place = mesh.points[Index(numbering.UsedPoints()[i])];
+    const Eigen::Vector3d& place = mesh.points[numbering.UsedPoints()[i]];
     text.Add(static_cast<int>(i) + 1);
     for (const double coordinate : { place.x(), place.y(), place.z() })
     {
@@ -49,8 +49,7 @@ void AddRegions(const SolverMesh& mesh, const ElementNodes& numbering,
     bool isFirst = true;
     for (int cell = 0; cell < mesh.CellCount(); ++cell)
     {
-      if (mesh.region[Index(cell)] != group / 2 ||
-        (mesh.CollapsedEdge(cell) >= 0) != (group % 2 == 1))
+      if (mesh.region[cell] != group / 2 || (mesh.CollapsedEdge(cell) >= 0) != (group % 2 == 1))
       {
         continue;
       }
@@ -58,10 +57,7 @@ void AddRegions(const SolverMesh& mesh, const ElementNodes& numbering,
       if (isFirst)
       {
         text.Add(mesh.dimension == 2 ? "*ELEMENT, TYPE=CPS" : "*ELEMENT, TYPE=C3D");
-        text.Add(static_cast<int>(nodes.size()))
-          .Add(", ELSET=")
-          .Add(names[Index(group / 2)])
-          .Add('\n');
+        text.Add(static_cast<int>(nodes.size())).Add(", ELSET=").Add(names[group / 2]).Add('\n');
       }
       isFirst = false;
       entries = { cell + 1 };
@@ -81,7 +77,7 @@ int FaceNumber(const SolverMesh& mesh, const CellFace& face)
   }
   // Bottom, top, and around from the collapsed edge, whose face is a line.
   constexpr std::array<int, 6> NumbersOfPrism = { 3, 5, 0, 2, 4, 1 };
-  return NumbersOfPrism[Index(face.face < 2 ? face.face : 2 + (face.face + 2 - collapsed) % 4)];
+  return NumbersOfPrism[face.face < 2 ? face.face : 2 + (face.face + 2 - collapsed) % 4];
 }
 
 void AddSide(const SolverMesh& mesh, const ElementNodes& numbering,

@@ -19,7 +19,7 @@ int TypeOf(int dimension, int order)
 {
   constexpr std::array<std::array<int, 3>, 3> Types = { { { 1, 8, 26 }, { 3, 10, 36 },
     { 5, 12, 92 } } };
-  return Types[Index(dimension - 1)][Index(order - 1)];
+  return Types[dimension - 1][order - 1];
 }
 
 // The faces and cells of prisms, which have order 1.
@@ -64,7 +64,7 @@ std::vector<Entity> SidesOf(const SolverMesh& mesh, const MeshFaces& faces,
   {
     Entity entity;
     entity.dimension = mesh.dimension - 1;
-    entity.name = names[Index(side)];
+    entity.name = names[side];
     for (const CellFace& face : faces.OfSide(side))
     {
       const std::vector<int> nodes = numbering.OfFace(face);
@@ -89,7 +89,7 @@ std::vector<Entity> RegionsOf(
   {
     const std::vector<int> nodes = numbering.OfCell(cell);
     const int type = nodes.size() == 6 ? GmshPrism : TypeOf(mesh.dimension, mesh.order);
-    regions[Index(mesh.region[Index(cell)])].Add(type, nodes);
+    regions[mesh.region[cell]].Add(type, nodes);
   }
   return regions;
 }
@@ -111,13 +111,12 @@ void Complete(const SolverMesh& mesh, const ElementNodes& numbering, std::vector
       {
         for (const int node : element)
         {
-          const Eigen::Vector3d& place =
-            mesh.points[Index(numbering.UsedPoints()[Index(node - 1)])];
+          const Eigen::Vector3d& place = mesh.points[numbering.UsedPoints()[node - 1]];
           entity.low = entity.low.cwiseMin(place).eval();
           entity.high = entity.high.cwiseMax(place).eval();
-          if (!isTaken[Index(node - 1)])
+          if (!isTaken[node - 1])
           {
-            isTaken[Index(node - 1)] = true;
+            isTaken[node - 1] = true;
             entity.nodes.push_back(node);
           }
         }
@@ -162,7 +161,7 @@ void AddVersion41(const SolverMesh& mesh, const ElementNodes& numbering,
   std::array<int, 4> counts{}; // per dimension
   for (const Entity& entity : entities)
   {
-    ++counts[Index(entity.dimension)];
+    ++counts[entity.dimension];
   }
   text.Add("$Entities\n0 ").Add(counts[1]).Add(' ').Add(counts[2]).Add(' ');
   text.Add(counts[3]).Add('\n');
@@ -186,7 +185,7 @@ void AddVersion41(const SolverMesh& mesh, const ElementNodes& numbering,
     }
     for (const int node : entity.nodes)
     {
-      text.Add(mesh.points[Index(numbering.UsedPoints()[Index(node - 1)])]);
+      text.Add(mesh.points[numbering.UsedPoints()[node - 1]]);
       text.Add('\n');
     }
   }
@@ -217,7 +216,7 @@ void AddVersion22(const SolverMesh& mesh, const ElementNodes& numbering,
   for (std::size_t i = 0; i < numbering.UsedPoints().size(); ++i)
   {
     text.Add(static_cast<int>(i) + 1).Add(' ');
-    text.Add(mesh.points[Index(numbering.UsedPoints()[i])]);
+    text.Add(mesh.points[numbering.UsedPoints()[i]]);
     text.Add('\n');
   }
   text.Add("$EndNodes\n$Elements\n").Add(elements).Add('\n');

@@ -22,7 +22,7 @@ void AddRange(const BlockRange& range, MeshText& text)
 {
   constexpr std::array<int, 3> FirstFace = { 3, 5, 1 }; // at the ends of I, J and K
   text.Add(' ').Add(range.block + 1).Add(' ');
-  text.Add(FirstFace[Index(range.face / 2)] + range.face % 2);
+  text.Add(FirstFace[range.face / 2] + range.face % 2);
   for (const std::size_t direction : DirectionsOf(range))
   {
     text.Add(' ').Add(range.begin[direction] + 1).Add(' ').Add(range.end[direction] + 1);
@@ -49,7 +49,7 @@ std::string WritePlot3d(const SolverMesh& mesh)
   {
     for (int i = 0; i < dimension; ++i)
     {
-      text.Add(block.cells[Index(i)] + 1).Add(i + 1 < dimension ? ' ' : '\n');
+      text.Add(block.cells[i] + 1).Add(i + 1 < dimension ? ' ' : '\n');
     }
   }
   for (const MeshBlock& block : mesh.blocks)
@@ -59,7 +59,7 @@ std::string WritePlot3d(const SolverMesh& mesh)
       int inLine = 0;
       for (const int node : block.nodes)
       {
-        text.Add(mesh.points[Index(node)][i]);
+        text.Add(mesh.points[node][i]);
         inLine = (inLine + 1) % NumbersInLine;
         text.Add(inLine == 0 ? '\n' : ' ');
       }
@@ -104,7 +104,7 @@ std::string WriteNmf(const SolverMesh& mesh)
     FormatNames(mesh.sideNames, rule, { "ONE_TO_ONE", "COLLAPSED" });
   for (const BlockPatch& patch : faces.patches)
   {
-    text.Add("'").Add(names[Index(patch.side)]).Add("'");
+    text.Add("'").Add(names[patch.side]).Add("'");
     AddRange(patch.range, text);
     text.Add('\n');
   }

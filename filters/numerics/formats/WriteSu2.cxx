@@ -58,7 +58,7 @@ std::string WriteSu2(const SolverMesh& mesh)
   text.Add("NPOIN= ").Add(static_cast<int>(numbering.UsedPoints().size())).Add('\n');
   for (std::size_t i = 0; i < numbering.UsedPoints().size(); ++i)
   {
-    const Eigen::Vector3d& place = mesh.points[Index(numbering.UsedPoints()[i])];
+    const Eigen::Vector3d& place = mesh.points[numbering.UsedPoints()[i]];
     text.Add(place.x()).Add(' ').Add(place.y()).Add(' ');
     if (mesh.dimension == 3)
     {
@@ -70,7 +70,7 @@ std::string WriteSu2(const SolverMesh& mesh)
   text.Add("NMARK= ").Add(static_cast<int>(names.size())).Add('\n');
   for (int side = 0; side < static_cast<int>(names.size()); ++side)
   {
-    text.Add("MARKER_TAG= ").Add(names[Index(side)]).Add("\nMARKER_ELEMS= ");
+    text.Add("MARKER_TAG= ").Add(names[side]).Add("\nMARKER_ELEMS= ");
     text.Add(static_cast<int>(faces.OfSide(side).size())).Add('\n');
     for (const CellFace& face : faces.OfSide(side))
     {

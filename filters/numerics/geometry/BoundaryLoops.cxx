@@ -36,15 +36,15 @@ std::vector<Loop> ChainLoops(
   {
     for (int side : { 0, 1 })
     {
-      const int here = segment[static_cast<std::size_t>(side)];
-      const int there = segment[static_cast<std::size_t>(1 - side)];
-      const Point& point = points[static_cast<std::size_t>(here)];
+      const int here = segment[side];
+      const int there = segment[1 - side];
+      const Point& point = points[here];
       if (!point.allFinite())
       {
         throw Error(
           "The boundary has a point whose coordinates are not finite numbers; remove it.");
       }
-      auto& pair = neighbours[static_cast<std::size_t>(here)];
+      auto& pair = neighbours[here];
       if (pair[1] != None)
       {
         throw Error("The boundary branches at " + Describe(point) +
@@ -73,7 +73,7 @@ std::vector<Loop> ChainLoops(
     Loop loop;
     int previous = None;
     int here = static_cast<int>(start);
-    while (!visited[static_cast<std::size_t>(here)])
+    while (!visited[here])
     {
       const auto index = static_cast<std::size_t>(here);
       visited[index] = true;

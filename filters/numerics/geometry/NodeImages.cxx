@@ -1,7 +1,5 @@
 #include "NodeImages.h"
 
-#include "Index.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -32,20 +30,20 @@ std::vector<int> FindImages(const std::vector<Eigen::Vector3d>& points,
   std::vector<std::pair<double, int>> sorted; // along a direction, so that few are compared
   for (const int point : to)
   {
-    sorted.emplace_back(KeyOf(points[Index(point)]), point);
+    sorted.emplace_back(KeyOf(points[point]), point);
   }
   std::sort(sorted.begin(), sorted.end());
   std::vector<int> images;
   for (const int point : from)
   {
-    const Eigen::Vector3d place = Eigen::Affine3d(motion) * points[Index(point)];
+    const Eigen::Vector3d place = Eigen::Affine3d(motion) * points[point];
     const double key = KeyOf(place);
     double distance = reach;
     int nearest = -1;
     for (auto at = std::lower_bound(sorted.begin(), sorted.end(), std::pair(key - reach, -1));
          at != sorted.end() && at->first <= key + reach; ++at)
     {
-      const double next = (points[Index(at->second)] - place).norm();
+      const double next = (points[at->second] - place).norm();
       if (next <= distance)
       {
         distance = next;

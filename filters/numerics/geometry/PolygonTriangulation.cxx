@@ -1,7 +1,5 @@
 #include "PolygonTriangulation.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,10 +25,9 @@ public:
     constexpr double Rounding = 1e-14;
     for (int i = 0; i < count; ++i)
     {
-      this->Flat =
-        std::max(this->Flat, Rounding * (polygon[Index(i)] - polygon.front()).squaredNorm());
-      this->Before[Index(i)] = (i + count - 1) % count;
-      this->After[Index(i)] = (i + 1) % count;
+      this->Flat = std::max(this->Flat, Rounding * (polygon[i] - polygon.front()).squaredNorm());
+      this->Before[i] = (i + count - 1) % count;
+      this->After[i] = (i + 1) % count;
     }
   }
 
@@ -48,20 +45,20 @@ public:
     for (int start = 0; remaining > 2; --remaining)
     {
       const int ear = this->BestEar(start);
-      const int before = this->Before[Index(ear)];
-      const int after = this->After[Index(ear)];
+      const int before = this->Before[ear];
+      const int after = this->After[ear];
       if (std::abs(this->Turn(ear)) > this->Flat)
       {
         this->Triangles.push_back({ before, ear, after });
       }
-      this->After[Index(before)] = after;
-      this->Before[Index(after)] = before;
+      this->After[before] = after;
+      this->Before[after] = before;
       start = after;
       this->UpdateCost(before);
       this->UpdateCost(after);
-      for (int i = this->After[Index(after)]; i != before; i = this->After[Index(i)])
+      for (int i = this->After[after]; i != before; i = this->After[i])
       {
-        if (this->Blocker[Index(i)] == ear)
+        if (this->Blocker[i] == ear)
         {
           this->UpdateCost(i);
         }
@@ -71,22 +68,22 @@ public:
   }
 
 private:
-  const Point& At(int i) const { return this->Points[Index(i)]; }
+  const Point& At(int i) const { return this->Points[i]; }
 
   /// Returns twice the signed area of the triangle that a vertex forms with its neighbours.
   double Turn(int i) const
   {
     const Point& here = this->At(i);
-    return Cross(here - this->At(this->Before[Index(i)]), this->At(this->After[Index(i)]) - here);
+    return Cross(here - this->At(this->Before[i]), this->At(this->After[i]) - here);
   }
 
   /// Sets the cost of a vertex: the square of its diagonal if it is an ear.
   void UpdateCost(int i)
   {
-    const int before = this->Before[Index(i)];
-    const int after = this->After[Index(i)];
-    this->Blocker[Index(i)] = -1;
-    this->Cost[Index(i)] = NoEar;
+    const int before = this->Before[i];
+    const int after = this->After[i];
+    this->Blocker[i] = -1;
+    this->Cost[i] = NoEar;
     if (!(this->Turn(i) > this->Flat))
     {
       return;
@@ -94,29 +91,29 @@ private:
     const Point& a = this->At(before);
     const Point& b = this->At(i);
     const Point& c = this->At(after);
-    for (int j = this->After[Index(after)]; j != before; j = this->After[Index(j)])
+    for (int j = this->After[after]; j != before; j = this->After[j])
     {
       const Point& p = this->At(j);
       if (p != a && p != b && p != c && Cross(b - a, p - a) >= 0.0 && Cross(c - b, p - b) >= 0.0 &&
         Cross(a - c, p - c) >= 0.0)
       {
-        this->Blocker[Index(i)] = j;
+        this->Blocker[i] = j;
         return;
       }
     }
-    this->Cost[Index(i)] = (c - a).squaredNorm();
+    this->Cost[i] = (c - a).squaredNorm();
   }
 
   int BestEar(int start) const
   {
     int best = start;
     int widest = start;
-    for (int i = this->After[Index(start)]; i != start; i = this->After[Index(i)])
+    for (int i = this->After[start]; i != start; i = this->After[i])
     {
-      best = this->Cost[Index(i)] < this->Cost[Index(best)] ? i : best;
+      best = this->Cost[i] < this->Cost[best] ? i : best;
       widest = this->Turn(i) > this->Turn(widest) ? i : widest;
     }
-    return this->Cost[Index(best)] < NoEar ? best : widest;
+    return this->Cost[best] < NoEar ? best : widest;
   }
 
   const Loop& Points;

@@ -26,7 +26,7 @@ public:
   {
     for (const int quad : band.quads)
     {
-      this->IsInBand[Index(quad)] = true;
+      this->IsInBand[quad] = true;
     }
     for (std::size_t line = 0; line < lines.size(); ++line)
     {
@@ -55,7 +55,7 @@ private:
     divided.push_back(old.back());
     for (std::size_t level = 1; level + 1 < old.size(); ++level)
     {
-      this->IsRemoved[Index(old[level])] = true;
+      this->IsRemoved[old[level]] = true;
     }
     this->OldLines.push_back(std::move(old));
     this->Lines.push_back(std::move(divided));
@@ -92,9 +92,8 @@ private:
       for (int row = 0; row < this->Rows; ++row)
       {
         const int oldRow = row * this->OldRows / this->Rows;
-        const std::size_t old = Index(this->Band.rows[Index(oldRow)][column] / 4);
-        const std::array<int, 4> quad = { left[Index(row)], right[Index(row)],
-          right[Index(row + 1)], left[Index(row + 1)] };
+        const std::size_t old = Index(this->Band.rows[oldRow][column] / 4);
+        const std::array<int, 4> quad = { left[row], right[row], right[row + 1], left[row + 1] };
         quads.push_back(quad);
         targetLengths.push_back(
           { 0.5 * (this->Length(quad[0], quad[1]) + this->Length(quad[2], quad[3])),
@@ -111,7 +110,7 @@ private:
 
   double Length(int from, int to) const
   {
-    return (this->Mesh.points[Index(to)].place - this->Mesh.points[Index(from)].place).norm();
+    return (this->Mesh.points[to].place - this->Mesh.points[from].place).norm();
   }
 
   /// Replaces the edges at the ends of an open band.
@@ -176,14 +175,14 @@ private:
     {
       for (int& point : quad)
       {
-        point = numbers[Index(point)];
+        point = numbers[point];
       }
     }
     for (QuadBoundaryEdge& edge : this->Mesh.boundary)
     {
       for (int& point : edge.points)
       {
-        point = numbers[Index(point)];
+        point = numbers[point];
       }
     }
   }

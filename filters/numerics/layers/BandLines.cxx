@@ -1,7 +1,6 @@
 #include "BandLines.h"
 
 #include "BoundaryOrder.h"
-#include "Index.h"
 #include "LayerRows.h"
 
 #include <Eigen/Geometry>
@@ -22,7 +21,7 @@ std::vector<Point> PlacesOf(const QuadMesh& mesh, const std::vector<int>& points
   std::vector<Point> places;
   for (const int point : points)
   {
-    places.push_back(mesh.points[Index(point)].place);
+    places.push_back(mesh.points[point].place);
   }
   return places;
 }
@@ -88,7 +87,7 @@ std::vector<double> BandLines::HeightsAtWall()
       const int layer = exists ? this->Band.layers[column % columns] : -1;
       if (layer >= 0)
       {
-        heights[line] += this->Layered.prescriptions[Index(layer)].first;
+        heights[line] += this->Layered.prescriptions[layer].first;
         ++sides;
       }
     }
@@ -163,7 +162,7 @@ double BandLines::SineAtWall(std::size_t line, const Point& direction) const
 MonotoneCurve BandLines::CurveOf(std::size_t line) const
 {
   const std::vector<Point> places = PlacesOf(this->Layered.mesh, this->Points[line]);
-  const QuadPoint& wall = this->Layered.mesh.points[Index(this->Points[line].front())];
+  const QuadPoint& wall = this->Layered.mesh.points[this->Points[line].front()];
   const std::size_t columns = this->Band.layers.size();
   if (this->IsEnd(line) || !wall.fixed || wall.curve.loop < 0 || wall.valence != 2 ||
     this->Band.layers[line % columns] < 0 || this->Band.layers[(line + columns - 1) % columns] < 0)
@@ -190,8 +189,8 @@ std::vector<double> BandLines::LengthsOnBoundary(std::size_t line) const
   for (std::size_t level = 0; level + 1 < this->Points[line].size(); ++level)
   {
     // The boundary leads down the first line and up the last one.
-    const CurvePlace& below = this->Layered.mesh.points[Index(this->Points[line][level])].curve;
-    const CurvePlace& above = this->Layered.mesh.points[Index(this->Points[line][level + 1])].curve;
+    const CurvePlace& below = this->Layered.mesh.points[this->Points[line][level]].curve;
+    const CurvePlace& above = this->Layered.mesh.points[this->Points[line][level + 1]].curve;
     const double loop = this->Curves.Length(below.loop);
     lengths.push_back(lengths.back() +
       (line == 0 ? LengthAlong(above, below, loop) : LengthAlong(below, above, loop)));
@@ -201,7 +200,7 @@ std::vector<double> BandLines::LengthsOnBoundary(std::size_t line) const
 
 CurvePlace BandLines::PlaceOnBoundary(std::size_t line, double length) const
 {
-  CurvePlace place = this->Layered.mesh.points[Index(this->Points[line].front())].curve;
+  CurvePlace place = this->Layered.mesh.points[this->Points[line].front()].curve;
   const double loop = this->Curves.Length(place.loop);
   place.at = std::fmod(place.at + (line == 0 ? -length : length) + loop, loop);
   return place;
@@ -225,7 +224,7 @@ double BandLines::Growth() const
   {
     if (layer >= 0)
     {
-      growth = std::min(growth, this->Layered.prescriptions[Index(layer)].growth);
+      growth = std::min(growth, this->Layered.prescriptions[layer].growth);
     }
   }
   return growth;
@@ -262,7 +261,7 @@ double BandLines::LargestStep(int rows) const
   double step = 1.0;
   for (std::size_t column = 0; column < this->Band.layers.size(); ++column)
   {
-    const int above = this->Walk.Above(this->Band.rows[Index(this->OldRows - 1)][column]);
+    const int above = this->Walk.Above(this->Band.rows[this->OldRows - 1][column]);
     if (this->Band.layers[column] < 0 || above < 0)
     {
       continue;
@@ -286,7 +285,7 @@ std::vector<double> BandLines::PartsOfEnd(std::size_t end) const
   parts[end] = 1.0;
   const std::size_t columns = this->Band.layers.size();
   const auto regionOf = [&](std::size_t column)
-  { return this->Layered.regions[Index(this->Band.rows[0][column] / 4)]; };
+  { return this->Layered.regions[this->Band.rows[0][column] / 4]; };
   const int region = regionOf(end == 0 ? 0 : columns - 1);
   if (region == 0)
   {
@@ -350,8 +349,8 @@ std::vector<std::vector<QuadPoint>> BandLines::Divide(int rows) const
       QuadPoint point;
       const double fraction = rowEnds[row] / data.length;
       const auto [level, position] = PartAt(lengths, fraction * lengths.back());
-      point.scale = (1.0 - position) * mesh.points[Index(points[level])].scale +
-        position * mesh.points[Index(points[level + 1])].scale;
+      point.scale = (1.0 - position) * mesh.points[points[level]].scale +
+        position * mesh.points[points[level + 1]].scale;
       if (this->IsEnd(line))
       {
         point.valence = 2;

@@ -45,10 +45,7 @@ private:
   /// Returns the mean sine of the angles between a direction at a line's start and the wall, or its
   /// layered part.
   double SineAtWall(std::size_t line, const Point& direction) const;
-  Point PlaceOf(int point) const
-  {
-    return this->Layered.mesh.points[static_cast<std::size_t>(point)].place;
-  }
+  Point PlaceOf(int point) const { return this->Layered.mesh.points[point].place; }
   bool IsEnd(std::size_t line) const;
   /// Returns the points of a line as a curve. At a corner that rows of layers turn around, it starts
   /// along the bisector, so that the rows are as high on both sides.

@@ -2,7 +2,6 @@
 
 #include "BandDivision.h"
 #include "BandLines.h"
-#include "Index.h"
 #include "LayerRows.h"
 #include "NodePairs.h"
 #include "QuadSymmetry.h"
@@ -101,15 +100,15 @@ public:
     std::vector<int> rows;
     for (const int band : this->Layered.bands)
     {
-      rows.push_back(band < 0 ? 0 : this->Plans[Index(band)].rows);
+      rows.push_back(band < 0 ? 0 : this->Plans[band].rows);
     }
     std::vector<LayerReport> reports = MeasureLayers(this->Layered, rows);
     for (std::size_t e = 0; e < rows.size(); ++e)
     {
       if (this->Layered.bands[e] >= 0)
       {
-        int& replaced = reports[Index(this->Layered.LayerAt(e))].rowsReplaced;
-        replaced = std::max(replaced, this->Plans[Index(this->Layered.bands[e])].rowsReplaced);
+        int& replaced = reports[this->Layered.LayerAt(e)].rowsReplaced;
+        replaced = std::max(replaced, this->Plans[this->Layered.bands[e]].rowsReplaced);
       }
     }
     return reports;
@@ -121,7 +120,7 @@ private:
   {
     const auto found =
       std::find_if(band.layers.begin(), band.layers.end(), [](int layer) { return layer >= 0; });
-    return this->Layered.prescriptions[Index(*found)];
+    return this->Layered.prescriptions[*found];
   }
 
   BandPlan PlanBand(const QuadBand& band, const QuadWalk& walk) const
@@ -129,11 +128,11 @@ private:
     int rows = 0;
     for (const int layer : band.layers)
     {
-      const int prescribed = layer < 0 ? 0 : this->Layered.prescriptions[Index(layer)].rows;
+      const int prescribed = layer < 0 ? 0 : this->Layered.prescriptions[layer].rows;
       if (prescribed > 0 && rows > 0 && prescribed != rows)
       {
         throw Error("The sides '" + this->PrescriptionOf(band).name + "' and '" +
-          this->Layered.prescriptions[Index(layer)].name +
+          this->Layered.prescriptions[layer].name +
           "' share the rows of their layers, but have different numbers of them; give equal "
           "numbers, or end the rows at the corner between them.");
       }

@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  Point PlaceOf(int point) const { return this->Layered.mesh.points[Index(point)].place; }
+  Point PlaceOf(int point) const { return this->Layered.mesh.points[point].place; }
 
   const LayeredMesh& Layered;
   const QuadWalk& Walk;

@@ -30,7 +30,7 @@ struct LayeredMesh
   int LayerAt(std::size_t edge) const
   {
     const int side = this->mesh.boundary[edge].side;
-    return side < 0 ? -1 : this->layerOfSide[static_cast<std::size_t>(side)];
+    return side < 0 ? -1 : this->layerOfSide[side];
   }
 };
 }

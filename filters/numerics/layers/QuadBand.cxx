@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  const QuadPoint& PointOf(int point) const { return this->Layered.mesh.points[Index(point)]; }
+  const QuadPoint& PointOf(int point) const { return this->Layered.mesh.points[point]; }
 
   /// Marks the points that the inner lines of a band may have: regular ones, and not corners or
   /// ends of sides.
@@ -75,11 +75,11 @@ private:
     std::vector<int> nameAt(mesh.points.size(), -1);
     for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
     {
-      nameAt[Index(mesh.boundary[e].points[0])] = mesh.boundary[e].side;
+      nameAt[mesh.boundary[e].points[0]] = mesh.boundary[e].side;
     }
     for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
     {
-      this->LayerOfSide[Index(this->Walls[e])] = this->Layered.LayerAt(e);
+      this->LayerOfSide[this->Walls[e]] = this->Layered.LayerAt(e);
       const std::size_t end = Index(mesh.boundary[e].points[1]);
       this->IsFree[end] = this->IsFree[end] && nameAt[end] == mesh.boundary[e].side;
     }
@@ -92,14 +92,14 @@ private:
     std::vector<bool> isVisited(this->LayerOfSide.size(), false);
     for (std::size_t e = 0; e < this->Layered.mesh.boundary.size(); ++e)
     {
-      if (this->Layered.LayerAt(e) < 0 || isVisited[Index(this->Walls[e])])
+      if (this->Layered.LayerAt(e) < 0 || isVisited[this->Walls[e]])
       {
         continue;
       }
       bands.push_back(this->FirstRow(this->Walls[e]));
       for (const int side : bands.back().rows[0])
       {
-        isVisited[Index(side)] = true;
+        isVisited[side] = true;
       }
     }
     return bands;
@@ -120,7 +120,7 @@ private:
          side = this->Walk.Forward(side))
     {
       row.push_back(side);
-      band.layers.push_back(this->LayerOfSide[Index(side)]);
+      band.layers.push_back(this->LayerOfSide[side]);
     }
     band.rows.push_back(row);
     if (!this->Take(row, band))
@@ -136,7 +136,7 @@ private:
   std::string NameOf(const QuadBand& band) const
   {
     const int layer = *std::max_element(band.layers.begin(), band.layers.end());
-    return this->Layered.prescriptions[Index(layer)].name;
+    return this->Layered.prescriptions[layer].name;
   }
 
   /// Reserves a row of quads for a band; returns whether it is free, and none of its quads is in
@@ -177,7 +177,7 @@ private:
       const int right = this->Walk.StartOf(top);
       for (const int point : { left, right })
       {
-        if (!this->IsFree[Index(point)])
+        if (!this->IsFree[point])
         {
           const QuadPoint& found = this->PointOf(point);
           return fail(found.curve.loop < 0 ? BandEnd::Irregular : BandEnd::Boundary, point);
@@ -234,10 +234,10 @@ std::vector<int> PointsAcross(
   std::vector<int> points;
   for (int row = 0; row < rows; ++row)
   {
-    const int side = band.rows[Index(row)][column];
+    const int side = band.rows[row][column];
     points.push_back(isLast ? walk.EndOf(side) : walk.StartOf(side));
   }
-  const int top = QuadWalk::Opposite(band.rows[Index(rows - 1)][column]);
+  const int top = QuadWalk::Opposite(band.rows[rows - 1][column]);
   points.push_back(isLast ? walk.StartOf(top) : walk.EndOf(top));
   return points;
 }

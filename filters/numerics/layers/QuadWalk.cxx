@@ -1,7 +1,5 @@
 #include "QuadWalk.h"
 
-#include "Index.h"
-
 #include <map>
 
 namespace crossfield
@@ -14,7 +12,7 @@ QuadWalk::QuadWalk(const QuadMesh& mesh)
 
 int QuadWalk::StartOf(int side) const
 {
-  return this->Mesh.quads[Index(side / 4)][Index(side % 4)];
+  return this->Mesh.quads[side / 4][side % 4];
 }
 
 int QuadWalk::EndOf(int side) const

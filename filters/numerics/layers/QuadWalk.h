@@ -16,7 +16,7 @@ public:
   static int Previous(int side) { return side / 4 * 4 + (side + 3) % 4; }
   static int Opposite(int side) { return side / 4 * 4 + (side + 2) % 4; }
   /// Returns the other side of the same edge, −1 on the boundary.
-  int Twin(int side) const { return this->Twins[static_cast<std::size_t>(side)]; }
+  int Twin(int side) const { return this->Twins[side]; }
 
   // Rows of quads run along sides, with the quads on the left.
 

@@ -23,12 +23,11 @@ public:
   {
     for (int e = 0; e < this->Topology.edges.Count(); ++e)
     {
-      this->SeenFromCurves[static_cast<std::size_t>(e)] = this->Topology.Midpoint(e);
+      this->SeenFromCurves[e] = this->Topology.Midpoint(e);
     }
     for (std::size_t i = 0; i < this->Topology.edges.ofBoundary.size(); ++i)
     {
-      this->SeenFromCurves[static_cast<std::size_t>(this->Topology.edges.ofBoundary[i])] =
-        potential.GetCurveMiddles()[i];
+      this->SeenFromCurves[this->Topology.edges.ofBoundary[i]] = potential.GetCurveMiddles()[i];
     }
   }
 
@@ -38,7 +37,7 @@ public:
   {
     const Point from = this->Topology.CentreOf(triangle);
     const Point to = this->Topology.Midpoint(edge);
-    const Point& seen = this->SeenFromCurves[static_cast<std::size_t>(edge)];
+    const Point& seen = this->SeenFromCurves[edge];
     const LogSource* const logs = this->Logs.data();
     const LogSource* const onCurve = logs + this->FirstOnCurve;
     const LogSource* const atCorner = logs + this->FirstAtCorner;
@@ -73,7 +72,7 @@ Eigen::VectorXd CentreValues(
     {
       for (int t = begin; t < end; ++t)
       {
-        const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
+        const auto& v = topology.mesh.triangles[t];
         values[t] =
           (solution.regular[v[0]] + solution.regular[v[1]] + solution.regular[v[2]]) / 3.0 +
           SumOfLogs(solution.logs, topology.CentreOf(t));
@@ -139,8 +138,7 @@ PhaseSteps StepsOf(const PointPotential& potential, const PointPotential::Soluti
       {
         for (int side = 0; side < 3; ++side)
         {
-          steps.toSide[static_cast<std::size_t>(t)][static_cast<std::size_t>(side)] =
-            walk.ToEdge(t, topology.EdgeOf(t, side));
+          steps.toSide[t][side] = walk.ToEdge(t, topology.EdgeOf(t, side));
         }
       }
     });

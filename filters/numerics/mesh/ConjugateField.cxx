@@ -49,22 +49,21 @@ public:
   /// Returns the values on all edges, with given ones on the first edge.
   Eigen::MatrixXd Integrate(int firstEdge, const Eigen::VectorXd& firstValues)
   {
-    const int firstTriangle = this->Edges.triangles[static_cast<std::size_t>(firstEdge)][0];
+    const int firstTriangle = this->Edges.triangles[firstEdge][0];
     ForParts(this->Links.size(),
       [&](std::size_t part)
       {
-        if (part == this->PartOf[static_cast<std::size_t>(firstTriangle)])
+        if (part == this->PartOf[firstTriangle])
         {
           this->IntegrateComponent(part, firstTriangle, firstEdge, firstValues);
         }
         const auto [begin, end] = this->RangeOf(part);
         for (int t = begin; t < end; ++t)
         {
-          if (this->ComponentOf[static_cast<std::size_t>(t)] < 0)
+          if (this->ComponentOf[t] < 0)
           {
-            this->IntegrateComponent(part, t,
-              this->Edges.ofTriangle[static_cast<std::size_t>(t)][0],
-              Eigen::VectorXd::Zero(this->Functions));
+            this->IntegrateComponent(
+              part, t, this->Edges.ofTriangle[t][0], Eigen::VectorXd::Zero(this->Functions));
           }
         }
       });
@@ -95,14 +94,12 @@ private:
     std::vector<Entry> queue = { { firstTriangle, firstEdge } };
     const auto isLink = [&](int edge)
     {
-      const auto& beside = this->Edges.triangles[static_cast<std::size_t>(edge)];
-      return beside[1] >= 0 &&
-        this->PartOf[static_cast<std::size_t>(beside[0])] !=
-        this->PartOf[static_cast<std::size_t>(beside[1])];
+      const auto& beside = this->Edges.triangles[edge];
+      return beside[1] >= 0 && this->PartOf[beside[0]] != this->PartOf[beside[1]];
     };
     const auto reach = [&](int triangle, int edge, const Eigen::VectorXd& values)
     {
-      const auto& beside = this->Edges.triangles[static_cast<std::size_t>(edge)];
+      const auto& beside = this->Edges.triangles[edge];
       if (isLink(edge))
       {
         this->Links[part].push_back({ edge, component, values });
@@ -112,11 +109,11 @@ private:
         }
         return;
       }
-      this->Known[static_cast<std::size_t>(edge)] = 1;
+      this->Known[edge] = 1;
       this->Values.col(edge) = values;
       for (const int t : beside)
       {
-        if (t >= 0 && this->ComponentOf[static_cast<std::size_t>(t)] < 0)
+        if (t >= 0 && this->ComponentOf[t] < 0)
         {
           queue.push_back({ t, edge });
         }
@@ -128,11 +125,11 @@ private:
     for (std::size_t next = 0; next < queue.size(); ++next)
     {
       const auto [t, edge] = queue[next];
-      if (this->ComponentOf[static_cast<std::size_t>(t)] >= 0)
+      if (this->ComponentOf[t] >= 0)
       {
         continue;
       }
-      this->ComponentOf[static_cast<std::size_t>(t)] = component;
+      this->ComponentOf[t] = component;
       if (next > 0)
       {
         from = this->Values.col(edge);
@@ -141,7 +138,7 @@ private:
       for (const int other : { (i + 1) % 3, (i + 2) % 3 })
       {
         const int toEdge = this->Topology.EdgeOf(t, other);
-        if (this->Known[static_cast<std::size_t>(toEdge)] == 0)
+        if (this->Known[toEdge] == 0)
         {
           this->Step(t, i, other, from, to);
           reach(t, toEdge, to);
@@ -195,20 +192,20 @@ private:
         if (!isFirst)
         {
           const auto& [there, values] = side->second;
-          differences[static_cast<std::size_t>(there)].push_back({ here, *values - link.values });
-          differences[static_cast<std::size_t>(here)].push_back({ there, link.values - *values });
+          differences[there].push_back({ here, *values - link.values });
+          differences[here].push_back({ there, link.values - *values });
         }
       }
     }
     Eigen::MatrixXd constants = Eigen::MatrixXd::Zero(this->Functions, firsts.back());
     std::vector<char> isFound(static_cast<std::size_t>(firsts.back()), 0);
     std::vector<int> queue = { componentOf(firstTriangle) };
-    isFound[static_cast<std::size_t>(queue[0])] = 1;
+    isFound[queue[0]] = 1;
     for (std::size_t next = 0; next < queue.size(); ++next)
     {
-      for (const Difference& difference : differences[static_cast<std::size_t>(queue[next])])
+      for (const Difference& difference : differences[queue[next]])
       {
-        char& found = isFound[static_cast<std::size_t>(difference.component)];
+        char& found = isFound[difference.component];
         if (found == 0)
         {
           found = 1;
@@ -222,8 +219,7 @@ private:
       {
         for (int e = begin; e < end; ++e)
         {
-          this->Values.col(e) +=
-            constants.col(componentOf(this->Edges.triangles[static_cast<std::size_t>(e)][0]));
+          this->Values.col(e) += constants.col(componentOf(this->Edges.triangles[e][0]));
         }
       });
   }

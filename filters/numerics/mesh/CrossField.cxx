@@ -25,22 +25,22 @@ UnwrappedPhase UnwrapPhase(const CrossField& field)
   std::vector<bool> known(static_cast<std::size_t>(field.u.size()), false);
   std::vector<int> queue = { field.topology->EdgeOfBoundary(field.topology->FirstOuterEdge()) };
   queue.reserve(known.size());
-  known[static_cast<std::size_t>(queue.front())] = true;
+  known[queue.front()] = true;
   phase.atEdges[queue.front()] = std::arg(field.u[queue.front()]);
   for (std::size_t next = 0; next < queue.size(); ++next)
   {
     const int from = queue[next];
-    for (const int triangle : edges.triangles[static_cast<std::size_t>(from)])
+    for (const int triangle : edges.triangles[from])
     {
       if (triangle < 0)
       {
         continue;
       }
-      for (const int to : edges.ofTriangle[static_cast<std::size_t>(triangle)])
+      for (const int to : edges.ofTriangle[triangle])
       {
-        if (!known[static_cast<std::size_t>(to)])
+        if (!known[to])
         {
-          known[static_cast<std::size_t>(to)] = true;
+          known[to] = true;
           phase.atEdges[to] = phase.atEdges[from] + shortest(from, to);
           queue.push_back(to);
         }

@@ -15,8 +15,7 @@ SparseMatrix CrouzeixRaviartStiffness(
     Point along[3]; // edge vectors p0p1, p1p2, p2p0; rotated and divided by the area they are ∇ψ
     for (std::size_t i = 0; i < 3; ++i)
     {
-      along[i] = mesh.points[static_cast<std::size_t>(triangle[(i + 1) % 3])] -
-        mesh.points[static_cast<std::size_t>(triangle[i])];
+      along[i] = mesh.points[triangle[(i + 1) % 3]] - mesh.points[triangle[i]];
     }
     const double area = 0.5 * Cross(along[0], along[1]);
     if (!(area > 0.0))

@@ -23,13 +23,13 @@ public:
     std::vector<int> first;
     const auto enter = [this](int triangle, int edge, int order)
     {
-      this->Entry[Index(triangle)] = this->Edges.SideOf(triangle, edge);
-      this->Order[Index(triangle)] = order;
+      this->Entry[triangle] = this->Edges.SideOf(triangle, edge);
+      this->Order[triangle] = order;
     };
     for (const int edge : starts)
     {
-      const int triangle = edges.triangles[Index(edge)][0];
-      if (this->Entry[Index(triangle)] < 0)
+      const int triangle = edges.triangles[edge][0];
+      if (this->Entry[triangle] < 0)
       {
         enter(triangle, edge, static_cast<int>(first.size()));
         first.push_back(triangle);
@@ -41,29 +41,29 @@ public:
       static_cast<int>(this->Entry.size()), first,
       [&edges](int triangle, int side) { return edges.Neighbour(triangle, side); },
       [&](int triangle, int side, int next)
-      { enter(next, edges.ofTriangle[Index(triangle)][Index(side)], count++); });
+      { enter(next, edges.ofTriangle[triangle][side], count++); });
   }
 
-  int OrderOf(int triangle) const { return this->Order[Index(triangle)]; }
+  int OrderOf(int triangle) const { return this->Order[triangle]; }
   /// Returns the edge through which a triangle was entered.
   int EntryOf(int triangle) const
   {
-    return this->Edges.ofTriangle[Index(triangle)][Index(this->Entry[Index(triangle)])];
+    return this->Edges.ofTriangle[triangle][this->Entry[triangle]];
   }
   /// Returns the steps from where the search started to a triangle, which the last one leaves
   /// through an edge.
   std::vector<Cycle::Step> PathTo(int triangle, int edge) const
   {
-    if (this->Entry[Index(triangle)] < 0)
+    if (this->Entry[triangle] < 0)
     {
       throw Error("A part of the mesh has no outer boundary loop; give a connected mesh.");
     }
     std::vector<Cycle::Step> steps;
     while (true)
     {
-      const int entry = this->Entry[Index(triangle)];
+      const int entry = this->Entry[triangle];
       steps.push_back({ triangle, entry, this->Edges.SideOf(triangle, edge) });
-      if (this->Order[Index(triangle)] < this->Starts)
+      if (this->Order[triangle] < this->Starts)
       {
         break;
       }
@@ -109,14 +109,14 @@ void AddStrips(
     }
     // The edge of the loop that the search reached first, and the path to it.
     const auto triangleAt = [&edges](int boundaryEdge)
-    { return edges.triangles[Index(edges.ofBoundary[Index(boundaryEdge)])][0]; };
+    { return edges.triangles[edges.ofBoundary[boundaryEdge]][0]; };
     Cycle cycle;
     cycle.lastBoundaryEdge = *std::min_element(loop.edges.begin(), loop.edges.end(),
       [&](int a, int b) { return search.OrderOf(triangleAt(a)) < search.OrderOf(triangleAt(b)); });
-    cycle.steps = search.PathTo(
-      triangleAt(cycle.lastBoundaryEdge), edges.ofBoundary[Index(cycle.lastBoundaryEdge)]);
+    cycle.steps =
+      search.PathTo(triangleAt(cycle.lastBoundaryEdge), edges.ofBoundary[cycle.lastBoundaryEdge]);
     const Cycle::Step& first = cycle.steps.front();
-    const int start = edges.ofTriangle[Index(first.triangle)][Index(first.entry)];
+    const int start = edges.ofTriangle[first.triangle][first.entry];
     cycle.firstBoundaryEdge =
       static_cast<int>(std::find(edges.ofBoundary.begin(), edges.ofBoundary.end(), start) -
         edges.ofBoundary.begin());
@@ -134,14 +134,14 @@ void AddClosed(const TriangleMesh& mesh, const EdgeNumbering& edges,
   UnionFind sets(mesh.points.size());
   const auto join = [&](int edge)
   {
-    const auto& [from, to] = edges.vertices[Index(edge)];
-    isUsed[Index(edge)] = isUsed[Index(edge)] || sets.Join(from, to);
+    const auto& [from, to] = edges.vertices[edge];
+    isUsed[edge] = isUsed[edge] || sets.Join(from, to);
   };
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
   {
     if (search.OrderOf(t) > 0)
     {
-      isUsed[Index(search.EntryOf(t))] = true;
+      isUsed[search.EntryOf(t)] = true;
     }
   }
   // As if a polygon filled each loop: a path crosses one of its edges, the others are in the tree.
@@ -149,16 +149,16 @@ void AddClosed(const TriangleMesh& mesh, const EdgeNumbering& edges,
   {
     const std::vector<int> all = EdgesOf(loop, edges);
     std::for_each(all.begin() + 1, all.end(), join);
-    isUsed[Index(all.front())] = true;
+    isUsed[all.front()] = true;
   }
   for (int edge = 0; edge < edges.Count(); ++edge)
   {
     join(edge);
-    if (isUsed[Index(edge)])
+    if (isUsed[edge])
     {
       continue;
     }
-    const auto& [last, first] = edges.triangles[Index(edge)];
+    const auto& [last, first] = edges.triangles[edge];
     Cycle cycle;
     cycle.steps = search.PathTo(last, edge);
     std::vector<Cycle::Step> back = search.PathTo(first, edge);

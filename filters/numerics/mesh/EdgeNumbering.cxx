@@ -25,10 +25,10 @@ public:
   {
     const int smaller = std::min(a, b);
     const int larger = std::max(a, b);
-    int& first = this->First[static_cast<std::size_t>(smaller)];
-    for (int edge = first; edge != None; edge = this->Next[static_cast<std::size_t>(edge)])
+    int& first = this->First[smaller];
+    for (int edge = first; edge != None; edge = this->Next[edge])
     {
-      if (vertices[static_cast<std::size_t>(edge)][1] == larger)
+      if (vertices[edge][1] == larger)
       {
         return edge;
       }
@@ -59,21 +59,21 @@ std::vector<BoundaryLoop> FindLoops(const std::vector<BoundaryEdge>& edges, std:
     // One group at a time, because imprinted triangles may share a vertex.
     for (const int i : group)
     {
-      outgoing[static_cast<std::size_t>(edges[static_cast<std::size_t>(i)].vertices[0])] = i;
+      outgoing[edges[i].vertices[0]] = i;
     }
-    const BoundaryEdge& first = edges[static_cast<std::size_t>(group.front())];
+    const BoundaryEdge& first = edges[group.front()];
     BoundaryLoop loop{ first.kind, first.id, first.quarterIndex, {} };
     int here = group.front();
     do
     {
-      const BoundaryEdge& edge = edges[static_cast<std::size_t>(here)];
+      const BoundaryEdge& edge = edges[here];
       if (edge.kind != loop.kind || edge.id != loop.id || edge.quarterIndex != loop.quarterIndex ||
         loop.edges.size() == group.size())
       {
         break;
       }
       loop.edges.push_back(here);
-      here = outgoing[static_cast<std::size_t>(edge.vertices[1])];
+      here = outgoing[edge.vertices[1]];
     } while (here != group.front() && here >= 0);
     if (here != group.front() || loop.edges.size() != group.size())
     {
@@ -98,7 +98,7 @@ int EdgeNumbering::EulerCharacteristic(const TriangleMesh& mesh) const
   {
     for (int vertex : triangle)
     {
-      used[static_cast<std::size_t>(vertex)] = true;
+      used[vertex] = true;
     }
   }
   return static_cast<int>(std::count(used.begin(), used.end(), true)) - this->Count() +
@@ -120,7 +120,7 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
       numbers[i] =
         table.Number(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3], edges.vertices);
       edges.triangles.resize(edges.vertices.size(), { None, None });
-      auto& pair = edges.triangles[static_cast<std::size_t>(numbers[i])];
+      auto& pair = edges.triangles[numbers[i]];
       if (pair[1] != None)
       {
         throw Error("More than two triangles share an edge; give a manifold triangle mesh.");
@@ -137,7 +137,7 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
     {
       throw Error("A boundary line is not an edge of any triangle; drill the mesh again.");
     }
-    marked[static_cast<std::size_t>(number)] = true;
+    marked[number] = true;
     edges.ofBoundary.push_back(number);
   }
   for (std::size_t e = 0; e < marked.size(); ++e)
@@ -171,7 +171,7 @@ std::vector<int> EdgesOf(const BoundaryLoop& loop, const EdgeNumbering& edges)
   result.reserve(loop.edges.size());
   for (const int edge : loop.edges)
   {
-    result.push_back(numbers[static_cast<std::size_t>(edge)]);
+    result.push_back(numbers[edge]);
   }
   return result;
 }
@@ -183,9 +183,9 @@ Point CentreOf(const BoundaryLoop& loop, const TriangleMesh& mesh)
   double length = 0.0;
   for (const int edge : loop.edges)
   {
-    const auto& ends = marked[static_cast<std::size_t>(edge)].vertices;
-    const Point& from = mesh.points[static_cast<std::size_t>(ends[0])];
-    const Point& to = mesh.points[static_cast<std::size_t>(ends[1])];
+    const auto& ends = marked[edge].vertices;
+    const Point& from = mesh.points[ends[0]];
+    const Point& to = mesh.points[ends[1]];
     sum += 0.5 * (to - from).norm() * (from + to);
     length += (to - from).norm();
   }

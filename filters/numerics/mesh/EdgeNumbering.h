@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Index.h"
 #include "TriangleMesh.h"
 
 namespace crossfield
@@ -26,13 +25,13 @@ struct EdgeNumbering
   /// is none.
   int Neighbour(int triangle, int side) const
   {
-    const auto& two = this->triangles[Index(this->ofTriangle[Index(triangle)][Index(side)])];
+    const auto& two = this->triangles[this->ofTriangle[triangle][side]];
     return two[0] == triangle ? two[1] : two[0];
   }
   /// Returns the side of a triangle at an edge.
   int SideOf(int triangle, int edge) const
   {
-    const auto& sides = this->ofTriangle[Index(triangle)];
+    const auto& sides = this->ofTriangle[triangle];
     return edge == sides[0] ? 0 : edge == sides[1] ? 1 : 2;
   }
   /// Returns vertices − edges + triangles. Only vertices used by a triangle are counted.

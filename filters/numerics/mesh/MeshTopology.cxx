@@ -14,13 +14,13 @@ std::vector<int> FindPrevious(const TriangleMesh& mesh)
   std::vector<int> ending(mesh.points.size(), -1);
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
-    ending[static_cast<std::size_t>(mesh.boundary[i].vertices[1])] = static_cast<int>(i);
+    ending[mesh.boundary[i].vertices[1]] = static_cast<int>(i);
   }
   std::vector<int> previous;
   previous.reserve(mesh.boundary.size());
   for (const BoundaryEdge& edge : mesh.boundary)
   {
-    previous.push_back(ending[static_cast<std::size_t>(edge.vertices[0])]);
+    previous.push_back(ending[edge.vertices[0]]);
   }
   return previous;
 }
@@ -38,7 +38,7 @@ std::vector<std::vector<int>> FindAlignedVertices(
     vertices.emplace_back();
     for (const int edge : loop.edges)
     {
-      vertices.back().push_back(mesh.boundary[static_cast<std::size_t>(edge)].vertices[0]);
+      vertices.back().push_back(mesh.boundary[edge].vertices[0]);
     }
     if (loop.kind == BoundaryKind::Inner)
     {
@@ -72,7 +72,7 @@ Eigen::Index MeshTopology::LoopCount(BoundaryKind kind) const
 std::pair<int, int> MeshTopology::SideOfBoundary(int position) const
 {
   const int edge = this->EdgeOfBoundary(position);
-  const int triangle = this->edges.triangles[static_cast<std::size_t>(edge)][0];
+  const int triangle = this->edges.triangles[edge][0];
   return { triangle, this->SideOf(triangle, edge) };
 }
 
@@ -81,12 +81,10 @@ double MeshTopology::Length(int edge) const
   if (!this->charts)
   {
     // Without looking for a triangle: the search for cuts asks for every edge several times.
-    const auto& [from, to] = this->edges.vertices[static_cast<std::size_t>(edge)];
-    return (this->mesh.points[static_cast<std::size_t>(to)] -
-      this->mesh.points[static_cast<std::size_t>(from)])
-      .norm();
+    const auto& [from, to] = this->edges.vertices[edge];
+    return (this->mesh.points[to] - this->mesh.points[from]).norm();
   }
-  const int triangle = this->edges.triangles[static_cast<std::size_t>(edge)][0];
+  const int triangle = this->edges.triangles[edge][0];
   const int side = this->SideOf(triangle, edge);
   return (this->At(triangle, (side + 1) % 3) - this->At(triangle, side)).norm();
 }

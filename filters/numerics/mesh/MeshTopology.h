@@ -51,23 +51,14 @@ struct MeshTopology
 
   int VertexCount() const { return static_cast<int>(mesh.points.size()); }
   int TriangleCount() const { return static_cast<int>(mesh.triangles.size()); }
-  const BoundaryEdge& BoundaryAt(int position) const
-  {
-    return mesh.boundary[static_cast<std::size_t>(position)];
-  }
+  const BoundaryEdge& BoundaryAt(int position) const { return mesh.boundary[position]; }
   /// Returns the mesh edge of an entry of mesh.boundary.
-  int EdgeOfBoundary(int position) const
-  {
-    return edges.ofBoundary[static_cast<std::size_t>(position)];
-  }
+  int EdgeOfBoundary(int position) const { return edges.ofBoundary[position]; }
   /// Returns the number of loops of a kind.
   Eigen::Index LoopCount(BoundaryKind kind) const;
 
   int Neighbour(int triangle, int side) const { return edges.Neighbour(triangle, side); }
-  int EdgeOf(int triangle, int side) const
-  {
-    return edges.ofTriangle[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(side)];
-  }
+  int EdgeOf(int triangle, int side) const { return edges.ofTriangle[triangle][side]; }
   int SideOf(int triangle, int edge) const { return edges.SideOf(triangle, edge); }
   /// Returns the triangle and its side at an entry of mesh.boundary.
   std::pair<int, int> SideOfBoundary(int position) const;
@@ -77,8 +68,7 @@ struct MeshTopology
   {
     const auto t = static_cast<std::size_t>(triangle);
     const auto i = static_cast<std::size_t>(corner);
-    return charts ? charts->corners[t][i]
-                  : mesh.points[static_cast<std::size_t>(mesh.triangles[t][i])];
+    return charts ? charts->corners[t][i] : mesh.points[mesh.triangles[t][i]];
   }
   std::array<Point, 3> ChartOf(int triangle) const
   {
@@ -91,23 +81,18 @@ struct MeshTopology
   /// Returns the angle from the chart of a triangle to that across a side: 0 in the plane.
   double Hinge(int triangle, int side) const
   {
-    return charts
-      ? charts->hinges[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(side)]
-      : 0.0;
+    return charts ? charts->hinges[triangle][side] : 0.0;
   }
   double Length(int edge) const;
   double AreaOf(int triangle) const;
   /// Returns the position of a vertex: its point in the plane, with z = 0.
   SpacePoint PositionOf(int vertex) const
   {
-    const Point& point = mesh.points[static_cast<std::size_t>(vertex)];
+    const Point& point = mesh.points[vertex];
     return { point.x(), point.y(), 0.0 };
   }
   /// Returns the position of a vertex, for messages.
-  std::string Where(int vertex) const
-  {
-    return Describe(mesh.points[static_cast<std::size_t>(vertex)]);
-  }
+  std::string Where(int vertex) const { return Describe(mesh.points[vertex]); }
 
 protected:
   /// Computes the derived data without angles. Throws Error as NumberEdges and FindBoundaryLoops do.

@@ -30,16 +30,16 @@ P1Interpolation::P1Interpolation(const TriangleMesh& mesh, Eigen::VectorXd value
   for (int t = 0; t < static_cast<int>(this->Triangles.size()); ++t)
   {
     Eigen::AlignedBox2d bounds;
-    for (const int vertex : this->Triangles[static_cast<std::size_t>(t)])
+    for (const int vertex : this->Triangles[t])
     {
-      bounds.extend(this->Points[static_cast<std::size_t>(vertex)]);
+      bounds.extend(this->Points[vertex]);
     }
     for (int row = this->Row(bounds.min().y()); row <= this->Row(bounds.max().y()); ++row)
     {
       for (int column = this->Column(bounds.min().x()); column <= this->Column(bounds.max().x());
            ++column)
       {
-        this->Buckets[static_cast<std::size_t>(row * this->Columns + column)].push_back(t);
+        this->Buckets[row * this->Columns + column].push_back(t);
       }
     }
   }
@@ -59,9 +59,8 @@ int P1Interpolation::Row(double y) const
 
 P1Interpolation::Nearest P1Interpolation::InTriangle(int triangle, const Point& place) const
 {
-  const std::array<int, 3>& vertices = this->Triangles[static_cast<std::size_t>(triangle)];
-  const auto point = [&](std::size_t i) -> const Point&
-  { return this->Points[static_cast<std::size_t>(vertices[i])]; };
+  const std::array<int, 3>& vertices = this->Triangles[triangle];
+  const auto point = [&](std::size_t i) -> const Point& { return this->Points[vertices[i]]; };
   const double area = Cross(point(1) - point(0), point(2) - point(0));
   std::array<double, 3> weights{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -116,7 +115,7 @@ double P1Interpolation::At(const Point& place) const
         {
           continue;
         }
-        for (const int t : this->Buckets[static_cast<std::size_t>(r * this->Columns + c)])
+        for (const int t : this->Buckets[r * this->Columns + c])
         {
           const Nearest here = this->InTriangle(t, place);
           if (here.squaredDistance < best.squaredDistance)

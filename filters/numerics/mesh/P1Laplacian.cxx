@@ -29,9 +29,8 @@ double OffDiagonal(const TriangleMesh& mesh, std::size_t t, const std::array<int
   const auto& triangle = mesh.triangles[t];
   const auto third = *std::find_if(triangle.begin(), triangle.end(),
     [&vertices](int vertex) { return vertex != vertices[0] && vertex != vertices[1]; });
-  const Point& corner = mesh.points[static_cast<std::size_t>(third)];
-  return -(mesh.points[static_cast<std::size_t>(vertices[0])] - corner)
-            .dot(mesh.points[static_cast<std::size_t>(vertices[1])] - corner) /
+  const Point& corner = mesh.points[third];
+  return -(mesh.points[vertices[0]] - corner).dot(mesh.points[vertices[1]] - corner) /
     (4.0 * PositiveArea(mesh, t));
 }
 }

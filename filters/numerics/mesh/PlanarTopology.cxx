@@ -17,11 +17,9 @@ PlanarTopology::PlanarTopology(TriangleMesh triangles)
   };
   for (int i = 0; i < static_cast<int>(this->turning.size()); ++i)
   {
-    this->turning[i] =
-      AngleBetween(direction(this->previous[static_cast<std::size_t>(i)]), direction(i));
+    this->turning[i] = AngleBetween(direction(this->previous[i]), direction(i));
     const BoundaryEdge& edge = this->BoundaryAt(i);
-    this->corners[static_cast<std::size_t>(edge.vertices[0])] =
-      edge.IsAligned() && IsCorner(this->turning[i]);
+    this->corners[edge.vertices[0]] = edge.IsAligned() && IsCorner(this->turning[i]);
   }
 }
 

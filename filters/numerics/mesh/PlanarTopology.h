@@ -11,18 +11,14 @@ struct PlanarTopology : MeshTopology
   /// Computes the derived data. Throws Error as NumberEdges and FindBoundaryLoops do.
   explicit PlanarTopology(TriangleMesh triangles);
 
-  const Point& PointAt(int vertex) const { return mesh.points[static_cast<std::size_t>(vertex)]; }
+  const Point& PointAt(int vertex) const { return mesh.points[vertex]; }
   Point Midpoint(int edge) const
   {
-    const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
+    const auto& [from, to] = edges.vertices[edge];
     return 0.5 * (PointAt(from) + PointAt(to));
   }
   /// Returns the mesh vertex of a corner of AlignedLoops.
-  int VertexOf(const Corner& corner) const
-  {
-    return alignedVertices[static_cast<std::size_t>(corner.loop)]
-                          [static_cast<std::size_t>(corner.vertex)];
-  }
+  int VertexOf(const Corner& corner) const { return alignedVertices[corner.loop][corner.vertex]; }
   /// Returns the polygons of the aligned loops, with the domain on their left.
   std::vector<Loop> AlignedLoops() const;
   /// Returns an entry of mesh.boundary on the outer loop, where integration along edges starts.

@@ -56,7 +56,7 @@ bool SortColumn(int* rows, double* values, int count, std::vector<std::pair<int,
       buffer.begin(), buffer.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (int i = 0; i < count; ++i)
     {
-      std::tie(rows[i], values[i]) = buffer[static_cast<std::size_t>(i)];
+      std::tie(rows[i], values[i]) = buffer[i];
     }
     return std::adjacent_find(rows, rows + count) != rows + count;
   }
@@ -107,9 +107,9 @@ public:
           PartRange(static_cast<std::ptrdiff_t>(this->Entries.size()), part, this->Parts);
         for (int i = begin; i < end; ++i)
         {
-          const SymmetricEntry& entry = this->Entries[static_cast<std::size_t>(i)];
-          const std::size_t ofRow = rangeOf[static_cast<std::size_t>(entry.row)];
-          const std::size_t ofColumn = rangeOf[static_cast<std::size_t>(entry.column)];
+          const SymmetricEntry& entry = this->Entries[i];
+          const std::size_t ofRow = rangeOf[entry.row];
+          const std::size_t ofColumn = rangeOf[entry.column];
           lists[ofRow].push_back(i);
           if (ofColumn != ofRow)
           {
@@ -134,7 +134,7 @@ public:
     {
       for (const int i : this->Lists[part * this->Ranges + range])
       {
-        function(this->Entries[static_cast<std::size_t>(i)]);
+        function(this->Entries[i]);
       }
     }
   }
@@ -165,7 +165,7 @@ Eigen::SparseMatrix<double> Assemble(
           {
             if (column >= first && column < last)
             {
-              ++next[static_cast<std::size_t>(column)];
+              ++next[column];
               diagonal[column] -= zeroRowSums ? entry.value : 0.0;
             }
           }
@@ -177,7 +177,7 @@ Eigen::SparseMatrix<double> Assemble(
   starts[0] = 0;
   for (int column = 0; column < size; ++column)
   {
-    int& position = next[static_cast<std::size_t>(column)];
+    int& position = next[column];
     starts[column + 1] = starts[column] + position;
     position = starts[column];
   }
@@ -190,7 +190,7 @@ Eigen::SparseMatrix<double> Assemble(
       double* const values = matrix.valuePtr();
       const auto place = [&](int row, int column, double value)
       {
-        const int position = next[static_cast<std::size_t>(column)]++;
+        const int position = next[column]++;
         rows[position] = row;
         values[position] = value;
       };

@@ -11,8 +11,7 @@ inline double TriangleArea(const Point& a, const Point& b, const Point& c)
 }
 inline double TriangleArea(const std::vector<Point>& points, const std::array<int, 3>& triangle)
 {
-  return TriangleArea(points[static_cast<std::size_t>(triangle[0])],
-    points[static_cast<std::size_t>(triangle[1])], points[static_cast<std::size_t>(triangle[2])]);
+  return TriangleArea(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
 }
 inline double TriangleArea(const TriangleMesh& mesh, const std::array<int, 3>& triangle)
 {

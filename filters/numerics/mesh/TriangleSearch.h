@@ -17,7 +17,7 @@ void SearchTriangles(
   std::vector<bool> known(Index(count), false);
   for (const int triangle : first)
   {
-    known[Index(triangle)] = true;
+    known[triangle] = true;
   }
   std::vector<int> queue = std::move(first);
   for (std::size_t at = 0; at < queue.size(); ++at)
@@ -26,9 +26,9 @@ void SearchTriangles(
     for (int side = 0; side < 3; ++side)
     {
       const int next = neighbour(triangle, side);
-      if (next >= 0 && !known[Index(next)])
+      if (next >= 0 && !known[next])
       {
-        known[Index(next)] = true;
+        known[next] = true;
         reach(triangle, side, next);
         queue.push_back(next);
       }

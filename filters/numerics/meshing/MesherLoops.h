@@ -108,7 +108,7 @@ inline void ComputeDepths(Triangulation& triangulation, const std::vector<bool>&
         {
           // Loops do not touch, so both ends of a segment belong to the same loop.
           const bool crosses = triangulation.is_constrained({ face, i }) &&
-            !imprinted[static_cast<std::size_t>(face->vertex(Triangulation::cw(i))->info().loop)];
+            !imprinted[face->vertex(Triangulation::cw(i))->info().loop];
           neighbour->info().depth = depth + (crosses ? 1 : 0);
           (crosses ? next : current).push_back(neighbour);
         }

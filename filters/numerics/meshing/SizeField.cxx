@@ -44,8 +44,7 @@ double SizeField::Evaluate(const Point& point, const std::array<int, 2>& range) 
   double size = this->Maximum;
   for (int i = range[0]; i < range[1]; ++i)
   {
-    const SizeSource& source =
-      this->Sources[static_cast<std::size_t>(this->Candidates[static_cast<std::size_t>(i)])];
+    const SizeSource& source = this->Sources[this->Candidates[i]];
     size = std::min(size, source.size + this->Gradation * (point - source.position).norm());
   }
   return size;
@@ -57,7 +56,7 @@ void SizeField::Split(int cell, const Square& square, const std::vector<int>& ca
   double centreSize = this->Maximum;
   for (int candidate : candidates)
   {
-    const SizeSource& source = this->Sources[static_cast<std::size_t>(candidate)];
+    const SizeSource& source = this->Sources[candidate];
     values.push_back(source.size + this->Gradation * (square.centre - source.position).norm());
     centreSize = std::min(centreSize, values.back());
   }
@@ -75,14 +74,14 @@ void SizeField::Split(int cell, const Square& square, const std::vector<int>& ca
   constexpr int MaximumDepth = 48; // beyond it, coordinates cannot separate the children
   if (kept.empty() || square.halfWidth <= centreSize || depth == MaximumDepth)
   {
-    Cell& leaf = this->Cells[static_cast<std::size_t>(cell)];
+    Cell& leaf = this->Cells[cell];
     leaf.range[0] = static_cast<int>(this->Candidates.size());
     this->Candidates.insert(this->Candidates.end(), kept.begin(), kept.end());
     leaf.range[1] = static_cast<int>(this->Candidates.size());
     return;
   }
   const int firstChild = static_cast<int>(this->Cells.size());
-  this->Cells[static_cast<std::size_t>(cell)].firstChild = firstChild;
+  this->Cells[cell].firstChild = firstChild;
   this->Cells.resize(this->Cells.size() + 4);
   for (int child = 0; child < 4; ++child)
   {
@@ -107,7 +106,7 @@ double SizeField::operator()(const Point& point) const
 
 void SizeField::Collect(int cell, const Square& square, std::vector<Leaf>& leaves) const
 {
-  const Cell& here = this->Cells[static_cast<std::size_t>(cell)];
+  const Cell& here = this->Cells[cell];
   if (here.firstChild < 0)
   {
     const Point half(square.halfWidth, square.halfWidth);
@@ -130,8 +129,8 @@ double SizeField::Leaf::LowerBound() const
   double smallest = this->Field.Maximum;
   for (int i = this->Range[0]; i < this->Range[1]; ++i)
   {
-    const int source = this->Field.Candidates[static_cast<std::size_t>(i)];
-    smallest = std::min(smallest, this->Field.Sources[static_cast<std::size_t>(source)].size);
+    const int source = this->Field.Candidates[i];
+    smallest = std::min(smallest, this->Field.Sources[source].size);
   }
   const double change = 0.5 * this->Field.Gradation * this->box.diagonal().norm();
   return std::max(smallest, this->SizeAt(this->box.center()) - change);

@@ -39,8 +39,7 @@ struct Curve
 Point Extended(const Curve& curve, std::ptrdiff_t i)
 {
   const auto count = static_cast<std::ptrdiff_t>(curve.samples.size());
-  const auto place = [&](std::ptrdiff_t at) -> const Point&
-  { return curve.samples[static_cast<std::size_t>(at)].place; };
+  const auto place = [&](std::ptrdiff_t at) -> const Point& { return curve.samples[at].place; };
   if (curve.isClosed)
   {
     return place(((i % count) + count) % count);
@@ -74,8 +73,7 @@ std::vector<Point> Blurred(const Curve& curve)
     Point mean = Point::Zero();
     for (std::ptrdiff_t j = -reach; j <= reach; ++j)
     {
-      mean += weights[static_cast<std::size_t>(j + reach)] *
-        Extended(curve, static_cast<std::ptrdiff_t>(i) + j);
+      mean += weights[j + reach] * Extended(curve, static_cast<std::ptrdiff_t>(i) + j);
     }
     means.push_back(mean / sum);
   }

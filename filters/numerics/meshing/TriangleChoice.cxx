@@ -32,8 +32,8 @@ double Depth(const TriangleMesh& mesh, const std::array<int, 3>& triangle, const
   double depth = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const Point& from = mesh.points[static_cast<std::size_t>(triangle[i])];
-    const Point along = mesh.points[static_cast<std::size_t>(triangle[(i + 1) % 3])] - from;
+    const Point& from = mesh.points[triangle[i]];
+    const Point along = mesh.points[triangle[(i + 1) % 3]] - from;
     depth = std::min(depth, Cross(along, point - from) / along.norm());
   }
   return depth;

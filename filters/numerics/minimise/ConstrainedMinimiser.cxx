@@ -78,7 +78,7 @@ struct LocalPoint
     this->violations.resize(count);
     for (Eigen::Index i = 0; i < count; ++i)
     {
-      const QuadraticConstraint& constraint = constraints[static_cast<std::size_t>(i)];
+      const QuadraticConstraint& constraint = constraints[i];
       constraint.AddGradient(this->x, static_cast<int>(i), entries);
       this->violations[i] = constraint.Value(this->x) - constraint.target;
     }

@@ -62,7 +62,7 @@ ComplexVector DualProblem::InValues(const ComplexVector& x) const
     const ComplexVector part = this->bases[i] * x.segment(row, size);
     for (Eigen::Index j = 0; j < size; ++j)
     {
-      result[this->unknowns[i][static_cast<std::size_t>(j)]] = part[j];
+      result[this->unknowns[i][j]] = part[j];
     }
     row += size;
   }

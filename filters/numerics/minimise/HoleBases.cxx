@@ -46,7 +46,7 @@ HoleBases::HoleBases(const ReducedProblem& problem)
   Eigen::Index largest = 0;
   for (int i = 0; i < matrix.BlockCount(); ++i)
   {
-    const DegreeConstraint& constraint = problem.constraints[static_cast<std::size_t>(i)];
+    const DegreeConstraint& constraint = problem.constraints[i];
     dual.targets[i] = constraint.target;
     dual.sizes[i] = static_cast<double>(matrix.Size(i));
     dual.unknowns.push_back(constraint.unknowns);
@@ -68,8 +68,7 @@ HoleBases::HoleBases(const ReducedProblem& problem)
     const Eigen::MatrixXd strongestFirst = decomposition.householderQ();
     const Eigen::MatrixXd basis = strongestFirst.rowwise().reverse();
     dual.matrix.blocks.push_back(basis.transpose() * own * basis);
-    dual.constraints.push_back(
-      basis.transpose() * HessianOf(problem.constraints[static_cast<std::size_t>(i)]) * basis);
+    dual.constraints.push_back(basis.transpose() * HessianOf(problem.constraints[i]) * basis);
     dual.bases.push_back(basis);
   }
 

@@ -145,8 +145,8 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
   result.defectGradient.resize(defects, positions.size());
   for (Eigen::Index k = 0; k < defects; ++k)
   {
-    const auto& derivative = value.defectGradient[static_cast<std::size_t>(k)];
-    result.defects[k] = value.holonomyDefect[static_cast<std::size_t>(k)];
+    const auto& derivative = value.defectGradient[k];
+    result.defects[k] = value.holonomyDefect[k];
     result.defectGradient.row(k) = this->Length *
       this->Symmetry.positions.ProjectDirections(
         Eigen::Map<const Eigen::VectorXd>(derivative.data(), positions.size()));

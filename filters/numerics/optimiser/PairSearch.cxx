@@ -48,7 +48,7 @@ SpacedPositions FindPositions(
       break;
     }
     result.spacing = *farthest;
-    const Point position = candidates[static_cast<std::size_t>(farthest - distances.begin())];
+    const Point position = candidates[farthest - distances.begin()];
     result.positions.push_back(position);
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
@@ -76,7 +76,7 @@ PositionInfluences Evaluate(const PointPotential& potential, const SizeUniformit
   for (Eigen::Index p = 1; p < count; ++p)
   {
     Configuration extended = interior;
-    extended.push_back({ positions[static_cast<std::size_t>(p)], 1, 0.0 });
+    extended.push_back({ positions[p], 1, 0.0 });
     extended.push_back({ positions[0], -1, 0.0 });
     const PointPotential::Solution solution = potential.Solve(extended);
     result.sizes.col(p) = uniformity.LogSizeDeviations(potential, solution) - h;
@@ -120,8 +120,8 @@ std::vector<SingularityPair> FindPairs(const PointPotential& potential,
         continue;
       }
       SingularityPair pair;
-      pair.positive = positions[static_cast<std::size_t>(x)];
-      pair.negative = positions[static_cast<std::size_t>(y)];
+      pair.positive = positions[x];
+      pair.negative = positions[y];
       pair.energy =
         energy + slope[x] - slope[y] + 0.5 * (gram(x, x) + gram(y, y) - 2.0 * gram(x, y));
       pair.score = pair.energy;

@@ -42,7 +42,7 @@ SizeUniformity::SizeUniformity(const PointPotential& potential, TargetSizes targ
   this->LogTarget = Eigen::VectorXd::Zero(this->Masses.size());
   for (Eigen::Index v = 0; v < this->LogTarget.size(); ++v)
   {
-    this->LogTarget[v] = std::log(this->Target.At(mesh.points[static_cast<std::size_t>(v)]));
+    this->LogTarget[v] = std::log(this->Target.At(mesh.points[v]));
   }
 }
 
@@ -53,7 +53,7 @@ bool SizeUniformity::IsInvariantUnder(const PointPotential& potential, const Iso
   double squares = 0.0;
   for (Eigen::Index v = 0; v < this->LogTarget.size(); ++v)
   {
-    const Point image = map(mesh.points[static_cast<std::size_t>(v)]);
+    const Point image = map(mesh.points[v]);
     const double difference = std::log(this->Target.At(image)) - this->LogTarget[v];
     squares += this->Masses[v] * difference * difference;
     if (squares > MaximumDifference * MaximumDifference)
@@ -71,7 +71,7 @@ Eigen::VectorXd SizeUniformity::LogSizeDeviations(
   Eigen::VectorXd d = 0.25 * solution.regular.head(this->Masses.size()) - this->LogTarget;
   for (Eigen::Index v = 0; v < d.size(); ++v)
   {
-    const Point& x = mesh.points[static_cast<std::size_t>(v)];
+    const Point& x = mesh.points[v];
     for (const LogSource& log : solution.logs)
     {
       d[v] += 0.125 * log.strength * std::log((x - log.position).squaredNorm() + this->SquaredCore);
@@ -118,11 +118,11 @@ SizeUniformity::Value SizeUniformity::Evaluate(
   result.gradient = Eigen::VectorXd::Zero(2 * inside);
   for (Eigen::Index j = 0; j < inside; ++j)
   {
-    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+    const LogSource& log = solution.logs[j];
     Point sum = Point::Zero();
     for (Eigen::Index v = 0; v < vertices; ++v)
     {
-      const Point y = mesh.points[static_cast<std::size_t>(v)] - log.position;
+      const Point y = mesh.points[v] - log.position;
       sum -= weighted[v] / (y.squaredNorm() + this->SquaredCore) * y;
     }
     for (const BoundaryHalf& half : potential.GetHalves())
@@ -149,12 +149,12 @@ Eigen::MatrixXd SizeUniformity::Differentiate(const PointPotential& potential,
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(regular.cols(), regular.cols());
   for (Eigen::Index j = 0; j < regular.cols() / 2; ++j)
   {
-    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+    const LogSource& log = solution.logs[j];
     const double factor = 0.25 * log.strength;
     Eigen::Matrix2d block = Eigen::Matrix2d::Zero();
     for (Eigen::Index v = 0; v < vertices; ++v)
     {
-      const Point y = mesh.points[static_cast<std::size_t>(v)] - log.position;
+      const Point y = mesh.points[v] - log.position;
       const double inverse = 1.0 / (y.squaredNorm() + this->SquaredCore);
       derivatives(v, 2 * j) -= factor * inverse * y.x();
       derivatives(v, 2 * j + 1) -= factor * inverse * y.y();

@@ -114,8 +114,7 @@ bool BoundaryVertices::Allows(std::size_t vertex, int index, std::size_t ignored
 double BoundaryVertices::QuadRange(std::size_t vertex) const
 {
   constexpr double LoopFraction = 0.125;
-  return std::min(this->quadSize,
-    LoopFraction * this->loopLengths[static_cast<std::size_t>(this->vertices[vertex].loop)]);
+  return std::min(this->quadSize, LoopFraction * this->loopLengths[this->vertices[vertex].loop]);
 }
 
 double BoundaryVertices::DistanceToIndex(

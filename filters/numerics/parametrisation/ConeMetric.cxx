@@ -45,12 +45,12 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
   std::vector<int> entries(Index(topology.edges.Count()), -1);
   for (int i = 0; i < static_cast<int>(this->BoundaryEdges.size()); ++i)
   {
-    entries[Index(topology.EdgeOfBoundary(i))] = i;
-    this->Quarters[Index(this->BoundaryEdges[Index(i)].vertices[0])] = 2;
+    entries[topology.EdgeOfBoundary(i)] = i;
+    this->Quarters[this->BoundaryEdges[i].vertices[0]] = 2;
   }
   for (const Cone& cone : cones)
   {
-    this->Quarters[Index(cone.vertex)] = cone.Quarters();
+    this->Quarters[cone.vertex] = cone.Quarters();
   }
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
@@ -58,13 +58,13 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
   }
   for (int t = 0; t < static_cast<int>(this->AllTriangles.size()); ++t)
   {
-    Triangle& triangle = this->AllTriangles[Index(t)];
-    triangle.vertices = topology.mesh.triangles[Index(t)];
-    triangle.edges = topology.edges.ofTriangle[Index(t)];
-    triangle.jumps = jumps[Index(t)];
+    Triangle& triangle = this->AllTriangles[t];
+    triangle.vertices = topology.mesh.triangles[t];
+    triangle.edges = topology.edges.ofTriangle[t];
+    triangle.jumps = jumps[t];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const int entry = entries[Index(triangle.edges[i])];
+      const int entry = entries[triangle.edges[i]];
       triangle.neighbours[i] = entry >= 0 ? -1 - entry : topology.Neighbour(t, static_cast<int>(i));
     }
     this->Attach(t);
@@ -79,7 +79,7 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
 
 double ConeMetric::Length(int edge) const
 {
-  return std::exp(this->Logs[Index(edge)]);
+  return std::exp(this->Logs[edge]);
 }
 
 void ConeMetric::SetLogLengths(std::vector<double> logs)
@@ -93,10 +93,10 @@ void ConeMetric::SetLogLengths(std::vector<double> logs)
 
 void ConeMetric::Measure(int triangle)
 {
-  const auto& edges = this->AllTriangles[Index(triangle)].edges;
+  const auto& edges = this->AllTriangles[triangle].edges;
   this->Angles.resize(this->AllTriangles.size());
-  this->Angles[Index(triangle)] = AnglesFromLogLengths(
-    { this->Logs[Index(edges[0])], this->Logs[Index(edges[1])], this->Logs[Index(edges[2])] });
+  this->Angles[triangle] =
+    AnglesFromLogLengths({ this->Logs[edges[0]], this->Logs[edges[1]], this->Logs[edges[2]] });
 }
 
 bool ConeMetric::IsValid() const
@@ -115,32 +115,32 @@ bool ConeMetric::IsValid() const
 
 double ConeMetric::AreaOf(int triangle) const
 {
-  const auto& edges = this->AllTriangles[Index(triangle)].edges;
+  const auto& edges = this->AllTriangles[triangle].edges;
   return 0.5 * this->Length(edges[0]) * this->Length(edges[2]) *
     std::sin(this->AnglesOf(triangle).angle[0]);
 }
 
 double ConeMetric::PlanarAngleOf(int triangle, int corner) const
 {
-  const auto& v = this->AllTriangles[Index(triangle)].vertices;
-  const Point& apex = this->Positions[Index(v[Index(corner)])];
-  return AngleBetween(this->Positions[Index(v[Index(NextSide(corner))])] - apex,
-    this->Positions[Index(v[Index(NextSide(NextSide(corner)))])] - apex);
+  const auto& v = this->AllTriangles[triangle].vertices;
+  const Point& apex = this->Positions[v[corner]];
+  return AngleBetween(this->Positions[v[NextSide(corner)]] - apex,
+    this->Positions[v[NextSide(NextSide(corner))]] - apex);
 }
 
 ConeMetric::Side ConeMetric::Across(Side side) const
 {
-  const Triangle& triangle = this->AllTriangles[Index(side.triangle)];
-  const int neighbour = triangle.neighbours[Index(side.side)];
-  const auto& edges = this->AllTriangles[Index(neighbour)].edges;
-  const auto found = std::find(edges.begin(), edges.end(), triangle.edges[Index(side.side)]);
+  const Triangle& triangle = this->AllTriangles[side.triangle];
+  const int neighbour = triangle.neighbours[side.side];
+  const auto& edges = this->AllTriangles[neighbour].edges;
+  const auto found = std::find(edges.begin(), edges.end(), triangle.edges[side.side]);
   return { neighbour, static_cast<int>(found - edges.begin()) };
 }
 
 void ConeMetric::TurnLoop(std::size_t loop, int quarters)
 {
   const Side side = this->AtBoundary(this->Starts[loop]);
-  this->AllTriangles[Index(side.triangle)].jumps[Index(side.side)] += quarters;
+  this->AllTriangles[side.triangle].jumps[side.side] += quarters;
   this->PropagateDirections(this->Starts[loop]);
 }
 
@@ -151,13 +151,13 @@ std::pair<int, int> ConeMetric::NextOnLoop(int entry) const
   for (;;)
   {
     side.side = NextSide(side.side);
-    const Triangle& triangle = this->AllTriangles[Index(side.triangle)];
-    const int neighbour = triangle.neighbours[Index(side.side)];
+    const Triangle& triangle = this->AllTriangles[side.triangle];
+    const int neighbour = triangle.neighbours[side.side];
     if (neighbour < 0)
     {
       return { -1 - neighbour, jumps };
     }
-    jumps += triangle.jumps[Index(side.side)];
+    jumps += triangle.jumps[side.side];
     side = this->Across(side);
   }
 }
@@ -168,19 +168,19 @@ void ConeMetric::PropagateDirections(int entry)
   const auto directionAt = [this](int i) -> int&
   {
     const Side side = this->AtBoundary(i);
-    return this->AllTriangles[Index(side.triangle)].jumps[Index(side.side)];
+    return this->AllTriangles[side.triangle].jumps[side.side];
   };
   for (int current = entry;;)
   {
     const auto [next, jumps] = this->NextOnLoop(current);
-    const int vertex = this->BoundaryEdges[Index(next)].vertices[0];
+    const int vertex = this->BoundaryEdges[next].vertices[0];
     const int direction = directionAt(current) + 2 - this->QuartersAt(vertex) + jumps;
     if (next == entry)
     {
       if ((direction - directionAt(entry)) % 4 != 0)
       {
         throw Error("The crosses do not close around the boundary loop through " +
-          Describe(this->Positions[Index(vertex)]) +
+          Describe(this->Positions[vertex]) +
           ": the quarter indices of its corners and of the singularities contradict each other; "
           "use a finer mesh.");
       }
@@ -193,19 +193,19 @@ void ConeMetric::PropagateDirections(int entry)
 
 void ConeMetric::Attach(int triangle)
 {
-  const Triangle& here = this->AllTriangles[Index(triangle)];
+  const Triangle& here = this->AllTriangles[triangle];
   for (int i = 0; i < 3; ++i)
   {
-    const int neighbour = here.neighbours[Index(i)];
+    const int neighbour = here.neighbours[i];
     if (neighbour < 0)
     {
-      this->BoundarySides[Index(-1 - neighbour)] = { triangle, i };
+      this->BoundarySides[-1 - neighbour] = { triangle, i };
       continue;
     }
-    Triangle& other = this->AllTriangles[Index(neighbour)];
+    Triangle& other = this->AllTriangles[neighbour];
     for (std::size_t j = 0; j < 3; ++j)
     {
-      if (other.edges[j] == here.edges[Index(i)])
+      if (other.edges[j] == here.edges[i])
       {
         other.neighbours[j] = triangle;
       }
@@ -215,17 +215,17 @@ void ConeMetric::Attach(int triangle)
 
 void ConeMetric::AlignCharts(Side side)
 {
-  const int turn = this->AllTriangles[Index(side.triangle)].jumps[Index(side.side)];
+  const int turn = this->AllTriangles[side.triangle].jumps[side.side];
   const int other = this->Across(side).triangle;
   // Directions in the chart of the other triangle decrease by the jump across the side.
   for (int i = 0; i < 3; ++i)
   {
-    Triangle& turned = this->AllTriangles[Index(other)];
-    turned.jumps[Index(i)] += turned.neighbours[Index(i)] < 0 ? -turn : turn;
-    if (turned.neighbours[Index(i)] >= 0)
+    Triangle& turned = this->AllTriangles[other];
+    turned.jumps[i] += turned.neighbours[i] < 0 ? -turn : turn;
+    if (turned.neighbours[i] >= 0)
     {
       const Side back = this->Across({ other, i });
-      this->AllTriangles[Index(back.triangle)].jumps[Index(back.side)] -= turn;
+      this->AllTriangles[back.triangle].jumps[back.side] -= turn;
     }
   }
 }
@@ -235,12 +235,11 @@ double ConeMetric::LogOtherDiagonal(Side side) const
   // The triangles are (a, b, p) and (b, a, q):
   // |pq|² = (|ap| − |aq|)² + 4 |ap| |aq| sin²(half the angle at a)
   const Side across = this->Across(side);
-  const double angle = this->AnglesOf(side.triangle).angle[Index(side.side)] +
-    this->AnglesOf(across.triangle).angle[Index(NextSide(across.side))];
-  const double ap = this->Length(
-    this->AllTriangles[Index(side.triangle)].edges[Index(NextSide(NextSide(side.side)))]);
-  const double aq =
-    this->Length(this->AllTriangles[Index(across.triangle)].edges[Index(NextSide(across.side))]);
+  const double angle = this->AnglesOf(side.triangle).angle[side.side] +
+    this->AnglesOf(across.triangle).angle[NextSide(across.side)];
+  const double ap =
+    this->Length(this->AllTriangles[side.triangle].edges[NextSide(NextSide(side.side))]);
+  const double aq = this->Length(this->AllTriangles[across.triangle].edges[NextSide(across.side)]);
   const double sine = std::sin(0.5 * angle);
   return 0.5 * std::log((ap - aq) * (ap - aq) + 4.0 * ap * aq * sine * sine);
 }
@@ -252,25 +251,25 @@ void ConeMetric::Flip(Side side)
   const int s = side.side;
   const int r = across.side;
   // The triangles are (a, b, p) and (b, a, q), the new ones (p, q, b) and (q, p, a).
-  const Triangle one = this->AllTriangles[Index(side.triangle)];
-  const Triangle two = this->AllTriangles[Index(across.triangle)];
-  const int edge = one.edges[Index(s)];
-  this->Logs[Index(edge)] = this->LogOtherDiagonal(side);
+  const Triangle one = this->AllTriangles[side.triangle];
+  const Triangle two = this->AllTriangles[across.triangle];
+  const int edge = one.edges[s];
+  this->Logs[edge] = this->LogOtherDiagonal(side);
 
-  const int a = one.vertices[Index(s)];
-  const int b = one.vertices[Index(NextSide(s))];
-  const int p = one.vertices[Index(NextSide(NextSide(s)))];
-  const int q = two.vertices[Index(NextSide(NextSide(r)))];
+  const int a = one.vertices[s];
+  const int b = one.vertices[NextSide(s)];
+  const int p = one.vertices[NextSide(NextSide(s))];
+  const int q = two.vertices[NextSide(NextSide(r))];
   const auto take = [](Triangle& into, int i, const Triangle& from, int j)
   {
-    into.edges[Index(i)] = from.edges[Index(j)];
-    into.neighbours[Index(i)] = from.neighbours[Index(j)];
-    into.jumps[Index(i)] = from.jumps[Index(j)];
+    into.edges[i] = from.edges[j];
+    into.neighbours[i] = from.neighbours[j];
+    into.jumps[i] = from.jumps[j];
   };
   // Sets a triangle with the new edge as side 0.
   const auto set = [&](int t, int neighbour, const std::array<int, 3>& vertices) -> Triangle&
   {
-    Triangle& triangle = this->AllTriangles[Index(t)];
+    Triangle& triangle = this->AllTriangles[t];
     triangle.vertices = vertices;
     triangle.edges[0] = edge;
     triangle.neighbours[0] = neighbour;
@@ -292,20 +291,19 @@ void ConeMetric::Flip(Side side)
 
 void ConeMetric::Split(Side side, double fraction)
 {
-  const int neighbour = this->AllTriangles[Index(side.triangle)].neighbours[Index(side.side)];
+  const int neighbour = this->AllTriangles[side.triangle].neighbours[side.side];
   if (neighbour >= 0)
   {
     this->AlignCharts(side);
   }
   const int s = side.side;
-  const Triangle old = this->AllTriangles[Index(side.triangle)];
-  const int a = old.vertices[Index(s)];
-  const int b = old.vertices[Index(NextSide(s))];
-  const int edge = old.edges[Index(s)];
+  const Triangle old = this->AllTriangles[side.triangle];
+  const int a = old.vertices[s];
+  const int b = old.vertices[NextSide(s)];
+  const int edge = old.edges[s];
   const double length = this->Length(edge);
   const int middle = static_cast<int>(this->Positions.size());
-  this->Positions.push_back(
-    (1.0 - fraction) * this->Positions[Index(a)] + fraction * this->Positions[Index(b)]);
+  this->Positions.push_back((1.0 - fraction) * this->Positions[a] + fraction * this->Positions[b]);
   this->Quarters.push_back(neighbour < 0 ? 2 : 4);
   const auto addEdge = [this](double newLength)
   {
@@ -322,26 +320,26 @@ void ConeMetric::Split(Side side, double fraction)
     const int i = whole.side;
     const int j = NextSide(i);
     const int k = NextSide(j);
-    const Triangle before = this->AllTriangles[Index(whole.triangle)];
-    const double toFirst = this->Length(before.edges[Index(k)]);
-    const double toSecond = this->Length(before.edges[Index(j)]);
+    const Triangle before = this->AllTriangles[whole.triangle];
+    const double toFirst = this->Length(before.edges[k]);
+    const double toSecond = this->Length(before.edges[j]);
     // Stewart's theorem
     const int cut = addEdge(std::sqrt(std::max(0.0,
       (1.0 - part) * toFirst * toFirst + part * toSecond * toSecond -
         part * (1.0 - part) * length * length)));
     const int added = static_cast<int>(this->AllTriangles.size());
     Triangle second = before;
-    second.vertices[Index(i)] = middle;
-    second.edges[Index(i)] = secondEdge;
-    second.edges[Index(k)] = cut;
-    second.neighbours[Index(k)] = whole.triangle;
-    second.jumps[Index(k)] = 0;
-    Triangle& first = this->AllTriangles[Index(whole.triangle)];
-    first.vertices[Index(j)] = middle;
-    first.edges[Index(i)] = firstEdge;
-    first.edges[Index(j)] = cut;
-    first.neighbours[Index(j)] = added;
-    first.jumps[Index(j)] = 0;
+    second.vertices[i] = middle;
+    second.edges[i] = secondEdge;
+    second.edges[k] = cut;
+    second.neighbours[k] = whole.triangle;
+    second.jumps[k] = 0;
+    Triangle& first = this->AllTriangles[whole.triangle];
+    first.vertices[j] = middle;
+    first.edges[i] = firstEdge;
+    first.edges[j] = cut;
+    first.neighbours[j] = added;
+    first.jumps[j] = 0;
     this->AllTriangles.push_back(second);
     return added;
   };
@@ -350,14 +348,13 @@ void ConeMetric::Split(Side side, double fraction)
   {
     const int entry = -1 - neighbour;
     const int added = divide(side, fraction, edge, half);
-    BoundaryEdge second = this->BoundaryEdges[Index(entry)];
+    BoundaryEdge second = this->BoundaryEdges[entry];
     second.vertices[0] = middle;
-    this->BoundaryEdges[Index(entry)].vertices[1] = middle;
-    this->AllTriangles[Index(added)].neighbours[Index(s)] =
-      -1 - static_cast<int>(this->BoundaryEdges.size());
+    this->BoundaryEdges[entry].vertices[1] = middle;
+    this->AllTriangles[added].neighbours[s] = -1 - static_cast<int>(this->BoundaryEdges.size());
     this->BoundaryEdges.push_back(second);
     this->BoundarySides.push_back({ added, s });
-    this->Logs[Index(edge)] = std::log(fraction * length);
+    this->Logs[edge] = std::log(fraction * length);
     for (const int t : { side.triangle, added })
     {
       this->Attach(t);
@@ -368,12 +365,12 @@ void ConeMetric::Split(Side side, double fraction)
   const Side across = this->Across(side);
   const int added = divide(side, fraction, edge, half);
   const int addedAcross = divide(across, 1.0 - fraction, half, edge);
-  this->Logs[Index(edge)] = std::log(fraction * length);
+  this->Logs[edge] = std::log(fraction * length);
   // The triangle of the side has the half at a, whose other side is now the added triangle across.
-  this->AllTriangles[Index(side.triangle)].neighbours[Index(s)] = addedAcross;
-  this->AllTriangles[Index(addedAcross)].neighbours[Index(across.side)] = side.triangle;
-  this->AllTriangles[Index(added)].neighbours[Index(s)] = across.triangle;
-  this->AllTriangles[Index(across.triangle)].neighbours[Index(across.side)] = added;
+  this->AllTriangles[side.triangle].neighbours[s] = addedAcross;
+  this->AllTriangles[addedAcross].neighbours[across.side] = side.triangle;
+  this->AllTriangles[added].neighbours[s] = across.triangle;
+  this->AllTriangles[across.triangle].neighbours[across.side] = added;
   for (const int t : { side.triangle, added, across.triangle, addedAcross })
   {
     this->Attach(t);

@@ -62,20 +62,17 @@ public:
   const std::vector<Triangle>& Triangles() const { return this->AllTriangles; }
   const std::vector<BoundaryEdge>& Boundary() const { return this->BoundaryEdges; }
   /// Returns the side of a triangle at an entry of Boundary().
-  Side AtBoundary(int entry) const { return this->BoundarySides[static_cast<std::size_t>(entry)]; }
+  Side AtBoundary(int entry) const { return this->BoundarySides[entry]; }
   /// Returns the logarithms of the lengths of all edges.
   const std::vector<double>& LogLengths() const { return this->Logs; }
   void SetLogLengths(std::vector<double> logs);
   /// Returns the angle that a vertex should have, in quarter turns.
-  int QuartersAt(int vertex) const { return this->Quarters[static_cast<std::size_t>(vertex)]; }
+  int QuartersAt(int vertex) const { return this->Quarters[vertex]; }
   /// Returns entries of Boundary() on the outer loop and on every inner loop.
   const std::vector<int>& LoopStarts() const { return this->Starts; }
 
   double Length(int edge) const;
-  const MetricAngles& AnglesOf(int triangle) const
-  {
-    return this->Angles[static_cast<std::size_t>(triangle)];
-  }
+  const MetricAngles& AnglesOf(int triangle) const { return this->Angles[triangle]; }
   /// Returns whether all triangles satisfy the triangle inequality.
   bool IsValid() const;
   /// Returns the area of a triangle in the metric.

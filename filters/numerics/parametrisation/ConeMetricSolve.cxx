@@ -2,7 +2,6 @@
 
 #include "DissectedCholesky.h"
 #include "HolomorphicStrains.h"
-#include "Index.h"
 #include "MetricRemeshing.h"
 #include "QuarterTurns.h"
 
@@ -94,7 +93,7 @@ private:
     {
       Eigen::VectorXd row =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(this->Metric.LogLengths().size()));
-      for (const auto& [edge, value] : alignment.rows[static_cast<std::size_t>(j)])
+      for (const auto& [edge, value] : alignment.rows[j])
       {
         row[edge] += value;
       }

@@ -39,7 +39,7 @@ std::vector<Coupling> CoupleCorners(const SeamlessMap& map, const std::vector<do
       const int a = map.corners[t][i];
       const int b = map.corners[t][next];
       const double value = -element(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(next));
-      Coupling& coupling = couplings[Index(topology.edges.ofTriangle[t][i])];
+      Coupling& coupling = couplings[topology.edges.ofTriangle[t][i]];
       if (coupling.a < 0)
       {
         coupling = { a, b, value };
@@ -136,7 +136,7 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
   constexpr int ManyDependents = 4;
   for (int j = 0; j < static_cast<int>(count); ++j)
   {
-    if (dependents[Index(j)] > ManyDependents)
+    if (dependents[j] > ManyDependents)
     {
       order.trailing.push_back(j);
     }
@@ -144,9 +144,8 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
   const auto own = [&](std::size_t row)
   {
     const Prolongation::InnerIterator term(prolongation, static_cast<Eigen::Index>(row));
-    return term && dependents[Index(static_cast<int>(term.col()))] == 1
-      ? static_cast<int>(term.col())
-      : -1;
+    return term && dependents[static_cast<int>(term.col())] == 1 ? static_cast<int>(term.col())
+                                                                 : -1;
   };
   for (std::size_t vertex = 0; vertex < map.original.size(); ++vertex)
   {
@@ -154,8 +153,8 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
     const int v = own(2 * vertex + 1);
     if (u >= 0 && v >= 0)
     {
-      order.partners[Index(u)] = v;
-      order.partners[Index(v)] = u;
+      order.partners[u] = v;
+      order.partners[v] = u;
       if (order.ground.empty())
       {
         order.ground = { u, v };

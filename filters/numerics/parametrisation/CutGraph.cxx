@@ -37,9 +37,9 @@ ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<b
   std::vector<int> filled(start.begin(), start.end() - 1);
   for (int e = 0; e < edges.Count(); ++e)
   {
-    for (const int v : edges.vertices[Index(e)])
+    for (const int v : edges.vertices[e])
     {
-      incident[Index(filled[Index(v)]++)] = e;
+      incident[filled[v]++] = e;
     }
   }
 
@@ -52,8 +52,8 @@ ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<b
     for (const int position : topology.loops[l].edges)
     {
       const int v = topology.BoundaryAt(position).vertices[0];
-      paths.length[Index(v)] = 0.0;
-      paths.loop[Index(v)] = static_cast<int>(l);
+      paths.length[v] = 0.0;
+      paths.loop[v] = static_cast<int>(l);
       queue.emplace(0.0, v);
     }
   }
@@ -62,22 +62,22 @@ ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<b
   {
     const auto [length, v] = queue.top();
     queue.pop();
-    if (length > paths.length[Index(v)])
+    if (length > paths.length[v])
     {
       continue;
     }
-    remaining -= isGoal[Index(v)] ? 1 : 0;
-    for (int i = start[Index(v)]; i < start[Index(v) + 1]; ++i)
+    remaining -= isGoal[v] ? 1 : 0;
+    for (int i = start[v]; i < start[Index(v) + 1]; ++i)
     {
-      const int e = incident[Index(i)];
-      const auto& [a, b] = edges.vertices[Index(e)];
+      const int e = incident[i];
+      const auto& [a, b] = edges.vertices[e];
       const int other = a == v ? b : a;
       const double reached = length + topology.Length(e);
-      if (reached < paths.length[Index(other)])
+      if (reached < paths.length[other])
       {
-        paths.length[Index(other)] = reached;
-        paths.edge[Index(other)] = e;
-        paths.loop[Index(other)] = paths.loop[Index(v)];
+        paths.length[other] = reached;
+        paths.edge[other] = e;
+        paths.loop[other] = paths.loop[v];
         queue.emplace(reached, other);
       }
     }
@@ -89,10 +89,10 @@ ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<b
 void CutPath(
   const MeshTopology& topology, const ShortestPaths& paths, int vertex, std::vector<bool>& isCut)
 {
-  for (int e = paths.edge[Index(vertex)]; e >= 0 && !isCut[Index(e)]; e = paths.edge[Index(vertex)])
+  for (int e = paths.edge[vertex]; e >= 0 && !isCut[e]; e = paths.edge[vertex])
   {
-    isCut[Index(e)] = true;
-    const auto& [a, b] = topology.edges.vertices[Index(e)];
+    isCut[e] = true;
+    const auto& [a, b] = topology.edges.vertices[e];
     vertex = a == vertex ? b : a;
   }
 }
@@ -103,20 +103,20 @@ void JoinLoops(const MeshTopology& topology, const ShortestPaths& paths, std::ve
   std::vector<std::pair<double, int>> bridges;
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
-    const auto& [a, b] = topology.edges.vertices[Index(e)];
-    if (paths.loop[Index(a)] != paths.loop[Index(b)])
+    const auto& [a, b] = topology.edges.vertices[e];
+    if (paths.loop[a] != paths.loop[b])
     {
-      bridges.emplace_back(paths.length[Index(a)] + paths.length[Index(b)] + topology.Length(e), e);
+      bridges.emplace_back(paths.length[a] + paths.length[b] + topology.Length(e), e);
     }
   }
   std::sort(bridges.begin(), bridges.end());
   UnionFind loops(topology.loops.size());
   for (const auto& [length, e] : bridges)
   {
-    const auto& [a, b] = topology.edges.vertices[Index(e)];
-    if (loops.Join(paths.loop[Index(a)], paths.loop[Index(b)]))
+    const auto& [a, b] = topology.edges.vertices[e];
+    if (loops.Join(paths.loop[a], paths.loop[b]))
     {
-      isCut[Index(e)] = true;
+      isCut[e] = true;
       CutPath(topology, paths, a, isCut);
       CutPath(topology, paths, b, isCut);
     }
@@ -132,10 +132,10 @@ std::vector<CutGraph::Chain> FindChains(
   std::vector<std::vector<int>> cutAt(count);
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
-    if (isCut[Index(e)])
+    if (isCut[e])
     {
-      cutAt[Index(topology.edges.vertices[Index(e)][0])].push_back(e);
-      cutAt[Index(topology.edges.vertices[Index(e)][1])].push_back(e);
+      cutAt[topology.edges.vertices[e][0]].push_back(e);
+      cutAt[topology.edges.vertices[e][1]].push_back(e);
     }
   }
   std::vector<bool> isNode(count, false);
@@ -145,19 +145,19 @@ std::vector<CutGraph::Chain> FindChains(
   }
   for (const BoundaryEdge& edge : topology.mesh.boundary)
   {
-    isNode[Index(edge.vertices[0])] = true;
+    isNode[edge.vertices[0]] = true;
   }
   for (const int v : singular)
   {
-    isNode[Index(v)] = true;
+    isNode[v] = true;
   }
   std::vector<CutGraph::Chain> chains;
   std::vector<bool> walked(isCut.size(), false);
   for (int node = 0; node < static_cast<int>(count); ++node)
   {
-    for (const int first : cutAt[Index(node)])
+    for (const int first : cutAt[node])
     {
-      if (!isNode[Index(node)] || walked[Index(first)])
+      if (!isNode[node] || walked[first])
       {
         continue;
       }
@@ -165,16 +165,16 @@ std::vector<CutGraph::Chain> FindChains(
       chain.vertices.push_back(node);
       for (int e = first;;)
       {
-        walked[Index(e)] = true;
-        const auto& [a, b] = topology.edges.vertices[Index(e)];
+        walked[e] = true;
+        const auto& [a, b] = topology.edges.vertices[e];
         const int v = a == chain.vertices.back() ? b : a;
         chain.vertices.push_back(v);
         chain.edges.push_back(e);
-        if (isNode[Index(v)])
+        if (isNode[v])
         {
           break;
         }
-        e = cutAt[Index(v)][0] == e ? cutAt[Index(v)][1] : cutAt[Index(v)][0];
+        e = cutAt[v][0] == e ? cutAt[v][1] : cutAt[v][0];
       }
       chains.push_back(std::move(chain));
     }
@@ -192,23 +192,23 @@ void NumberCorners(const MeshTopology& topology, CutGraph& cut)
   {
     for (const int v : chain.vertices)
     {
-      isOnCut[Index(v)] = true;
+      isOnCut[v] = true;
     }
   }
   UnionFind same(3 * triangles.size());
   const auto cornerAt = [&triangles](int t, int vertex)
   {
-    const auto& v = triangles[Index(t)];
+    const auto& v = triangles[t];
     return 3 * t + static_cast<int>(std::find(v.begin(), v.end(), vertex) - v.begin());
   };
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
-    const auto& [t, other] = topology.edges.triangles[Index(e)];
-    if (other >= 0 && !cut.isCut[Index(e)])
+    const auto& [t, other] = topology.edges.triangles[e];
+    if (other >= 0 && !cut.isCut[e])
     {
-      for (const int v : topology.edges.vertices[Index(e)])
+      for (const int v : topology.edges.vertices[e])
       {
-        if (isOnCut[Index(v)])
+        if (isOnCut[v])
         {
           same.Join(cornerAt(t, v), cornerAt(other, v));
         }
@@ -225,24 +225,24 @@ void NumberCorners(const MeshTopology& topology, CutGraph& cut)
   {
     for (int i = 0; i < 3; ++i)
     {
-      const int v = triangles[Index(t)][Index(i)];
-      if (!isOnCut[Index(v)])
+      const int v = triangles[t][i];
+      if (!isOnCut[v])
       {
-        cut.corners[Index(t)][Index(i)] = v;
+        cut.corners[t][i] = v;
         continue;
       }
-      int& mine = number[Index(same.Find(3 * t + i))];
+      int& mine = number[same.Find(3 * t + i)];
       if (mine < 0)
       {
         mine = v;
-        if (taken[Index(v)])
+        if (taken[v])
         {
           mine = static_cast<int>(cut.original.size());
           cut.original.push_back(v);
         }
-        taken[Index(v)] = true;
+        taken[v] = true;
       }
-      cut.corners[Index(t)][Index(i)] = mine;
+      cut.corners[t][i] = mine;
     }
   }
 }
@@ -257,7 +257,7 @@ CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
   std::vector<bool> isGoal(Index(topology.VertexCount()), joins);
   for (const int vertex : singular)
   {
-    isGoal[Index(vertex)] = true;
+    isGoal[vertex] = true;
   }
   const ShortestPaths paths = FindPathsInwards(topology, isGoal);
   for (const int vertex : singular)

@@ -68,7 +68,7 @@ void Elimination::Impose(const Row& row)
   auto pivot = remaining.end();
   for (auto term = remaining.begin(); term != remaining.end(); ++term)
   {
-    const auto rank = [this](int unknown) { return this->Rank[static_cast<std::size_t>(unknown)]; };
+    const auto rank = [this](int unknown) { return this->Rank[unknown]; };
     if (std::abs(term->second) == 1.0 &&
       (pivot == remaining.end() || rank(term->first) < rank(pivot->first)))
     {
@@ -86,8 +86,8 @@ void Elimination::Impose(const Row& row)
   {
     term.second *= -sign;
   }
-  this->IsDependent[static_cast<std::size_t>(unknown)] = true;
-  this->Dependent[static_cast<std::size_t>(unknown)] = std::move(remaining);
+  this->IsDependent[unknown] = true;
+  this->Dependent[unknown] = std::move(remaining);
 }
 
 Eigen::SparseMatrix<double, Eigen::RowMajor> Elimination::Prolongation()
@@ -99,7 +99,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> Elimination::Prolongation()
   {
     if (this->IsFree(unknown))
     {
-      column[static_cast<std::size_t>(unknown)] = columns++;
+      column[unknown] = columns++;
     }
   }
   std::vector<Eigen::Triplet<double>> entries;
@@ -108,12 +108,12 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> Elimination::Prolongation()
   {
     if (this->IsFree(unknown))
     {
-      entries.emplace_back(unknown, column[static_cast<std::size_t>(unknown)], 1.0);
+      entries.emplace_back(unknown, column[unknown], 1.0);
       continue;
     }
     for (const auto& [other, factor] : this->Resolve({ { unknown, 1.0 } }))
     {
-      entries.emplace_back(unknown, column[static_cast<std::size_t>(other)], factor);
+      entries.emplace_back(unknown, column[other], factor);
     }
   }
   Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(count, columns);

@@ -28,7 +28,7 @@ public:
   /// before. Throws Error when there is no pivot.
   void Impose(const Row& row);
 
-  bool IsFree(int unknown) const { return !this->IsDependent[static_cast<std::size_t>(unknown)]; }
+  bool IsFree(int unknown) const { return !this->IsDependent[unknown]; }
 
   /// Returns the matrix that maps the free unknowns, numbered in their order, to all unknowns.
   /// Dependent unknowns whose combination is empty are zero.

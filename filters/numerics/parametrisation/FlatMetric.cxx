@@ -1,6 +1,5 @@
 #include "FlatMetric.h"
 
-#include "Index.h"
 #include "MetricRemeshing.h"
 #include "SeamlessPoisson.h"
 
@@ -44,7 +43,7 @@ std::vector<double> LogScales(
       const int j = (i + 1) % 3;
       const double image = (targets.target[t].row(j) - targets.target[t].row(i)).norm();
       const double length = topology.Length(topology.EdgeOf(static_cast<int>(t), i));
-      given[std::minmax(v[Index(i)], v[Index(j)])].Add(std::log(image / length));
+      given[std::minmax(v[i], v[j])].Add(std::log(image / length));
     }
   }
   std::vector<LogMean> scales(metric.LogLengths().size());
@@ -57,9 +56,9 @@ std::vector<double> LogScales(
         given.find(std::minmax(triangle.vertices[i], triangle.vertices[(i + 1) % 3]));
       if (found != given.end())
       {
-        scales[Index(triangle.edges[i])].Add(found->second.Value());
-        nearby[Index(triangle.edges[(i + 1) % 3])].Add(found->second.Value());
-        nearby[Index(triangle.edges[(i + 2) % 3])].Add(found->second.Value());
+        scales[triangle.edges[i]].Add(found->second.Value());
+        nearby[triangle.edges[(i + 1) % 3]].Add(found->second.Value());
+        nearby[triangle.edges[(i + 2) % 3]].Add(found->second.Value());
       }
     }
   }

@@ -1,7 +1,5 @@
 #include "HolomorphicStrains.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -21,7 +19,7 @@ double AreaQuantile(
   double below = 0.0;
   for (const int t : order)
   {
-    below += areas[Index(t)];
+    below += areas[t];
     if (below >= limit)
     {
       return values[t];
@@ -42,7 +40,7 @@ HolomorphicStrains::HolomorphicStrains(const MetricDerivatives& derivatives,
   for (Eigen::Index j = 0; j < loops; ++j)
   {
     this->Differentials.col(j) = -derivatives.Pullback(potentials.col(j));
-    for (const auto& [edge, value] : alignment.rows[static_cast<std::size_t>(j)])
+    for (const auto& [edge, value] : alignment.rows[j])
     {
       this->Differentials(edge, j) += value;
     }
@@ -50,7 +48,7 @@ HolomorphicStrains::HolomorphicStrains(const MetricDerivatives& derivatives,
   this->Quadratic.resize(triangles, loops);
   for (int t = 0; t < triangles; ++t)
   {
-    const ConeMetric::Triangle& triangle = this->Metric.Triangles()[Index(t)];
+    const ConeMetric::Triangle& triangle = this->Metric.Triangles()[t];
     const auto& angle = derivatives.AnglesOf(t).angle;
     this->Areas.push_back(this->Metric.AreaOf(t));
     // Squares of the directions 1, −e^{−iα_1} and −e^{iα_0}.
@@ -62,8 +60,7 @@ HolomorphicStrains::HolomorphicStrains(const MetricDerivatives& derivatives,
       for (std::size_t i = 0; i < 3; ++i)
       {
         const double weight = triangle.neighbours[i] < 0 ? 1.0 : 0.5;
-        sum += weight * this->Differentials(triangle.edges[i], j) *
-          std::conj(this->Squares[Index(t)][i]);
+        sum += weight * this->Differentials(triangle.edges[i], j) * std::conj(this->Squares[t][i]);
       }
       this->Quadratic(t, j) = sum;
     }
@@ -78,16 +75,15 @@ void HolomorphicStrains::Average()
   const Eigen::MatrixXcd before = this->Quadratic;
   for (int t = 0; t < static_cast<int>(this->Squares.size()); ++t)
   {
-    const ConeMetric::Triangle& triangle = this->Metric.Triangles()[Index(t)];
+    const ConeMetric::Triangle& triangle = this->Metric.Triangles()[t];
     double count = 1.0;
     for (int i = 0; i < 3; ++i)
     {
-      if (triangle.neighbours[Index(i)] >= 0)
+      if (triangle.neighbours[i] >= 0)
       {
         const auto [neighbour, side] = this->Metric.Across({ t, i });
         // Q d² of the common side is the same in both charts.
-        const Complex turn = this->Squares[Index(neighbour)][Index(side)] *
-          std::conj(this->Squares[Index(t)][Index(i)]);
+        const Complex turn = this->Squares[neighbour][side] * std::conj(this->Squares[t][i]);
         this->Quadratic.row(t) += turn * before.row(neighbour);
         count += 1.0;
       }
@@ -106,24 +102,24 @@ HolomorphicStrains::Strains HolomorphicStrains::For(
     magnitude = (this->Quadratic * coefficients).cwiseAbs();
     for (Eigen::Index t = 0; t < triangles; ++t)
     {
-      magnitude[t] /= this->Areas[static_cast<std::size_t>(t)];
+      magnitude[t] /= this->Areas[t];
     }
     magnitude = magnitude.cwiseMax(AreaQuantile(magnitude, this->Areas, quantile));
   }
   Eigen::VectorXd denominators = magnitude;
   for (Eigen::Index t = 0; t < triangles; ++t)
   {
-    denominators[t] *= this->Areas[static_cast<std::size_t>(t)];
+    denominators[t] *= this->Areas[t];
   }
   Strains strains;
   strains.edges = Eigen::MatrixXd::Zero(this->Differentials.rows(), this->Differentials.cols());
   for (Eigen::Index t = 0; t < triangles; ++t)
   {
-    const ConeMetric::Triangle& triangle = this->Metric.Triangles()[static_cast<std::size_t>(t)];
+    const ConeMetric::Triangle& triangle = this->Metric.Triangles()[t];
     for (std::size_t i = 0; i < 3; ++i)
     {
       const double part = triangle.neighbours[i] < 0 ? 1.0 : 0.5;
-      const Complex square = this->Squares[static_cast<std::size_t>(t)][i];
+      const Complex square = this->Squares[t][i];
       // Re(μ conj(d)²) = Re(Q d²) / denominator
       strains.edges.row(triangle.edges[i]) +=
         part / denominators[t] * (this->Quadratic.row(t) * square).real();
@@ -142,7 +138,7 @@ DifferentialSample HolomorphicStrains::Sample(int count) const
     Eigen::VectorXd(size) };
   for (Eigen::Index i = 0; i < size; ++i)
   {
-    const double area = this->Areas[static_cast<std::size_t>(i * stride)];
+    const double area = this->Areas[i * stride];
     sample.areas[i] = static_cast<double>(stride) * area;
     sample.quadratic.row(i) = this->Quadratic.row(i * stride) / area;
   }

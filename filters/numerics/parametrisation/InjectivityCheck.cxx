@@ -14,7 +14,7 @@ std::optional<MapFault> FindFault(const SeamlessMap& map)
     const Point& a = map.At(t, 0);
     const Point& b = map.At(t, 1);
     const Point& c = map.At(t, 2);
-    const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
+    const auto& v = topology.mesh.triangles[t];
     if (!(Cross(b - a, c - a) > 0.0))
     {
       fault.where = fault.reversed == 0 ? topology.Where(v[0]) : fault.where;
@@ -31,15 +31,15 @@ std::optional<MapFault> FindFault(const SeamlessMap& map)
   std::vector<int> quarters(static_cast<std::size_t>(topology.VertexCount()), 4);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
   {
-    quarters[static_cast<std::size_t>(edge.vertices[0])] = 2;
+    quarters[edge.vertices[0]] = 2;
   }
   for (const Cone& cone : map.cones)
   {
-    quarters[static_cast<std::size_t>(cone.vertex)] = cone.Quarters();
+    quarters[cone.vertex] = cone.Quarters();
   }
   for (int v = 0; v < static_cast<int>(quarters.size()); ++v)
   {
-    const double expected = 0.5 * Pi * quarters[static_cast<std::size_t>(v)];
+    const double expected = 0.5 * Pi * quarters[v];
     // Seams and sides allow multiples of a quarter turn only; smaller differences are rounding.
     if (angles[v] > 0.0 && std::abs(angles[v] - expected) > 0.25 * Pi)
     {

@@ -15,9 +15,9 @@ std::vector<Side> SearchFrom(const ConeMetric& metric, int start)
   std::vector<Side> reached(metric.Triangles().size());
   SearchTriangles(
     static_cast<int>(reached.size()), { start },
-    [&metric](int t, int side) { return metric.Triangles()[Index(t)].neighbours[Index(side)]; },
+    [&metric](int t, int side) { return metric.Triangles()[t].neighbours[side]; },
     [&reached](int t, int side, int next) {
-      reached[Index(next)] = { t, side };
+      reached[next] = { t, side };
     });
   return reached;
 }
@@ -42,7 +42,7 @@ public:
     const bool forward = to == NextSide(from);
     const int corner = forward ? to : from;
     const double sign = forward ? 1.0 : -1.0;
-    this->Direction += sign * (Pi - this->Derivatives.AnglesOf(triangle).angle[Index(corner)]);
+    this->Direction += sign * (Pi - this->Derivatives.AnglesOf(triangle).angle[corner]);
     for (const auto& [edge, value] : this->Derivatives.AngleDerivative(triangle, corner))
     {
       this->Row.emplace_back(edge, -sign * value);
@@ -51,8 +51,8 @@ public:
   /// Adds the change of chart across a side.
   void Cross(const Side& side)
   {
-    const auto& triangle = this->Derivatives.GetMetric().Triangles()[Index(side.triangle)];
-    this->Direction += Pi + 0.5 * Pi * triangle.jumps[Index(side.side)];
+    const auto& triangle = this->Derivatives.GetMetric().Triangles()[side.triangle];
+    this->Direction += Pi + 0.5 * Pi * triangle.jumps[side.side];
   }
 
   double Direction = 0.0;
@@ -68,7 +68,7 @@ LoopAlignment MeasureAlignment(const MetricDerivatives& derivatives)
   const ConeMetric& metric = derivatives.GetMetric();
   const std::vector<int>& starts = metric.LoopStarts();
   const auto directionOf = [&metric](const Side& side)
-  { return 0.5 * Pi * metric.Triangles()[Index(side.triangle)].jumps[Index(side.side)]; };
+  { return 0.5 * Pi * metric.Triangles()[side.triangle].jumps[side.side]; };
   const Side outer = metric.AtBoundary(starts.front());
   const std::vector<Side> reached = SearchFrom(metric, outer.triangle);
   LoopAlignment alignment;
@@ -79,7 +79,7 @@ LoopAlignment MeasureAlignment(const MetricDerivatives& derivatives)
     std::vector<Side> crossed;
     for (int t = inner.triangle; t != outer.triangle; t = crossed.back().triangle)
     {
-      crossed.push_back(reached[Index(t)]);
+      crossed.push_back(reached[t]);
     }
     DirectionWalk walk(derivatives);
     walk.Direction = directionOf(outer);

@@ -1,6 +1,5 @@
 #include "MapTargets.h"
 
-#include "Index.h"
 #include "PlanarTopology.h"
 #include "TriangleArea.h"
 #include "TriangleSearch.h"
@@ -24,17 +23,16 @@ std::vector<double> DirectionsOfSides(const ConeMetric& metric)
     return side == 0 ? 0.0 : side == 1 ? Pi - angles[1] : angles[0] - Pi;
   };
   const auto set = [&](const ConeMetric::Side& side, double direction)
-  { directions[Index(side.triangle)] = WrapAngle(direction - relative(side.triangle, side.side)); };
+  { directions[side.triangle] = WrapAngle(direction - relative(side.triangle, side.side)); };
   const ConeMetric::Side start = metric.AtBoundary(metric.LoopStarts().front());
-  set(start, 0.5 * Pi * triangles[Index(start.triangle)].jumps[Index(start.side)]);
+  set(start, 0.5 * Pi * triangles[start.triangle].jumps[start.side]);
   SearchTriangles(
     static_cast<int>(triangles.size()), { start.triangle },
-    [&](int t, int side) { return triangles[Index(t)].neighbours[Index(side)]; },
+    [&](int t, int side) { return triangles[t].neighbours[side]; },
     [&](int t, int side, int)
     {
       set(metric.Across({ t, side }),
-        directions[Index(t)] + relative(t, side) + Pi +
-          0.5 * Pi * triangles[Index(t)].jumps[Index(side)]);
+        directions[t] + relative(t, side) + Pi + 0.5 * Pi * triangles[t].jumps[side]);
     });
   return directions;
 }
@@ -49,10 +47,10 @@ MapTargets LayOut(const ConeMetric& metric)
   const std::vector<double> directions = DirectionsOfSides(metric);
   for (int t = 0; t < static_cast<int>(metric.Triangles().size()); ++t)
   {
-    const ConeMetric::Triangle& triangle = metric.Triangles()[Index(t)];
+    const ConeMetric::Triangle& triangle = metric.Triangles()[t];
     mesh.triangles.push_back(triangle.vertices);
     result.jumps.push_back(triangle.jumps);
-    const double direction = directions[Index(t)];
+    const double direction = directions[t];
     const double toThird = direction + metric.AnglesOf(t).angle[0];
     Eigen::Matrix<double, 3, 2> corners = Eigen::Matrix<double, 3, 2>::Zero();
     corners.row(1) = metric.Length(triangle.edges[0]) *

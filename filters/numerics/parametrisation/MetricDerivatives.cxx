@@ -14,7 +14,7 @@ void ForEachEdge(const ConeMetric& metric, const Function& function)
   const auto& triangles = metric.Triangles();
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
   {
-    const ConeMetric::Triangle& triangle = triangles[Index(t)];
+    const ConeMetric::Triangle& triangle = triangles[t];
     for (std::size_t i = 0; i < 3; ++i)
     {
       if (triangle.neighbours[i] < t)
@@ -56,8 +56,8 @@ Eigen::VectorXd MetricDerivatives::AngleDefects() const
 std::array<MetricDerivatives::Term, 3> MetricDerivatives::AngleDerivative(
   int triangle, int corner) const
 {
-  const auto& edges = this->Metric.Triangles()[Index(triangle)].edges;
-  const auto& cotangent = this->Angles[Index(triangle)].cotangent;
+  const auto& edges = this->Metric.Triangles()[triangle].edges;
+  const auto& cotangent = this->Angles[triangle].cotangent;
   const auto i = Index(corner);
   const std::size_t j = (i + 1) % 3;
   const std::size_t k = (i + 2) % 3;
@@ -76,7 +76,7 @@ Eigen::VectorXd MetricDerivatives::AngleSumChanges(const Eigen::VectorXd& edges)
     {
       for (const auto& [edge, value] : this->AngleDerivative(t, i))
       {
-        sums[this->Metric.Triangles()[Index(t)].vertices[Index(i)]] += value * edges[edge];
+        sums[this->Metric.Triangles()[t].vertices[i]] += value * edges[edge];
       }
     }
   }
@@ -93,7 +93,7 @@ Eigen::VectorXd MetricDerivatives::Pullback(const Eigen::VectorXd& vertices) con
     {
       for (const auto& [edge, value] : this->AngleDerivative(t, i))
       {
-        result[edge] += value * vertices[this->Metric.Triangles()[Index(t)].vertices[Index(i)]];
+        result[edge] += value * vertices[this->Metric.Triangles()[t].vertices[i]];
       }
     }
   }
@@ -109,8 +109,7 @@ Eigen::SparseMatrix<double> MetricDerivatives::Laplacian() const
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      weights[Index(this->Metric.Triangles()[t].edges[(i + 1) % 3])] +=
-        0.5 * this->Angles[t].cotangent[i];
+      weights[this->Metric.Triangles()[t].edges[(i + 1) % 3]] += 0.5 * this->Angles[t].cotangent[i];
     }
   }
   std::vector<SymmetricEntry> offDiagonal;
@@ -118,7 +117,7 @@ Eigen::SparseMatrix<double> MetricDerivatives::Laplacian() const
   ForEachEdge(this->Metric,
     [&](int edge, int a, int b)
     {
-      const double weight = weights[Index(edge)];
+      const double weight = weights[edge];
       diagonal[a] += weight;
       diagonal[b] += weight;
       offDiagonal.push_back({ a, b, -weight });

@@ -19,10 +19,7 @@ public:
   explicit MetricDerivatives(const ConeMetric& metric);
 
   const ConeMetric& GetMetric() const { return this->Metric; }
-  const MetricAngles& AnglesOf(int triangle) const
-  {
-    return this->Angles[static_cast<std::size_t>(triangle)];
-  }
+  const MetricAngles& AnglesOf(int triangle) const { return this->Angles[triangle]; }
 
   /// Returns, per vertex, the angle that it should have minus the sum of its angles, in radians.
   Eigen::VectorXd AngleDefects() const;

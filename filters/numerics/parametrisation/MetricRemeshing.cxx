@@ -31,7 +31,7 @@ std::vector<int> CountTriangles(const ConeMetric& metric)
   {
     for (const int v : triangle.vertices)
     {
-      ++counts[Index(v)];
+      ++counts[v];
     }
   }
   return counts;
@@ -62,11 +62,11 @@ bool ShouldFlip(const ConeMetric& metric, const std::vector<int>& counts, Side s
   {
     return false;
   }
-  const auto& v = metric.Triangles()[Index(side.triangle)].vertices;
-  const auto& w = metric.Triangles()[Index(across.triangle)].vertices;
+  const auto& v = metric.Triangles()[side.triangle].vertices;
+  const auto& w = metric.Triangles()[across.triangle].vertices;
   const int a = v[s];
   const int b = v[(s + 1) % 3];
-  if (!IsEnough(metric, a, counts[Index(a)] - 1) || !IsEnough(metric, b, counts[Index(b)] - 1))
+  if (!IsEnough(metric, a, counts[a] - 1) || !IsEnough(metric, b, counts[b] - 1))
   {
     return false;
   }
@@ -78,10 +78,9 @@ bool ShouldFlip(const ConeMetric& metric, const std::vector<int>& counts, Side s
     return false;
   }
   const auto& points = metric.Points();
-  const Point& p = points[Index(v[(s + 2) % 3])];
-  const Point& q = points[Index(w[(r + 2) % 3])];
-  if (!(std::min(LeastAngle(p, q, points[Index(b)]), LeastAngle(q, p, points[Index(a)])) >=
-        LeastPlanarAngle))
+  const Point& p = points[v[(s + 2) % 3]];
+  const Point& q = points[w[(r + 2) % 3]];
+  if (!(std::min(LeastAngle(p, q, points[b]), LeastAngle(q, p, points[a])) >= LeastPlanarAngle))
   {
     return false;
   }
@@ -90,8 +89,8 @@ bool ShouldFlip(const ConeMetric& metric, const std::vector<int>& counts, Side s
   const double diagonal = metric.LogOtherDiagonal(side);
   const auto logOf = [&metric](const Side& edge, std::size_t offset)
   {
-    const auto& edges = metric.Triangles()[Index(edge.triangle)].edges;
-    return metric.LogLengths()[Index(edges[(Index(edge.side) + offset) % 3])];
+    const auto& edges = metric.Triangles()[edge.triangle].edges;
+    return metric.LogLengths()[edges[(Index(edge.side) + offset) % 3]];
   };
   // Triangles (p, q, b) and (q, p, a).
   const double after =
@@ -112,18 +111,17 @@ int FlipEdges(ConeMetric& metric, std::vector<int>& counts)
     {
       for (int i = 0; i < 3; ++i)
       {
-        if (metric.Triangles()[Index(t)].neighbours[Index(i)] < 0 ||
-          !ShouldFlip(metric, counts, { t, i }))
+        if (metric.Triangles()[t].neighbours[i] < 0 || !ShouldFlip(metric, counts, { t, i }))
         {
           continue;
         }
-        const auto old = metric.Triangles()[Index(t)].vertices;
-        --counts[Index(old[Index(i)])];
-        --counts[Index(old[Index(NextSide(i))])];
+        const auto old = metric.Triangles()[t].vertices;
+        --counts[old[i]];
+        --counts[old[NextSide(i)]];
         metric.Flip({ t, i });
         // Vertices 0 and 1 are those of the new edge.
-        ++counts[Index(metric.Triangles()[Index(t)].vertices[0])];
-        ++counts[Index(metric.Triangles()[Index(t)].vertices[1])];
+        ++counts[metric.Triangles()[t].vertices[0]];
+        ++counts[metric.Triangles()[t].vertices[1]];
         ++flips;
         break;
       }
@@ -145,8 +143,8 @@ int SplitSides(ConeMetric& metric, int maximum)
     {
       const int side = NextSide(static_cast<int>(largest - angles.angle.begin()));
       // The foot divides the side in proportion to the cotangents at its ends.
-      const double first = angles.cotangent[Index(side)];
-      const double second = angles.cotangent[Index(NextSide(side))];
+      const double first = angles.cotangent[side];
+      const double second = angles.cotangent[NextSide(side)];
       metric.Split({ t, side },
         std::clamp(first / (first + second), SmallestFraction, 1.0 - SmallestFraction));
       ++splits;
@@ -162,13 +160,13 @@ RemeshingCount SplitNarrowFans(ConeMetric& metric)
   std::vector<int> counts = CountTriangles(metric);
   for (int v = 0; v < static_cast<int>(counts.size()); ++v)
   {
-    while (!IsEnough(metric, v, counts[Index(v)]))
+    while (!IsEnough(metric, v, counts[v]))
     {
       Side widest;
       double angle = -1.0;
       for (int t = 0; t < static_cast<int>(metric.Triangles().size()); ++t)
       {
-        const auto& vertices = metric.Triangles()[Index(t)].vertices;
+        const auto& vertices = metric.Triangles()[t].vertices;
         const auto found = std::find(vertices.begin(), vertices.end(), v);
         if (found != vertices.end())
         {
@@ -182,7 +180,7 @@ RemeshingCount SplitNarrowFans(ConeMetric& metric)
         }
       }
       metric.Split(widest, 0.5);
-      ++counts[Index(v)];
+      ++counts[v];
       ++count.splits;
     }
   }

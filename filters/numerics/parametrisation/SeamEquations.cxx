@@ -72,7 +72,7 @@ public:
   void ImposeSide(int position, int direction)
   {
     const int edge = this->Topology.EdgeOfBoundary(position);
-    const int triangle = this->Topology.edges.triangles[Index(edge)][0];
+    const int triangle = this->Topology.edges.triangles[edge][0];
     const auto& [from, to] = this->Topology.BoundaryAt(position).vertices;
     const int part = direction % 2 == 0 ? 1 : 0;
     this->System.Impose({ { 2 * this->Copy(triangle, to) + part, 1.0 },
@@ -103,9 +103,8 @@ private:
   /// Returns the vertex of the cut mesh at the corner of a triangle where `vertex` is.
   int Copy(int triangle, int vertex) const
   {
-    const auto& v = this->Topology.mesh.triangles[Index(triangle)];
-    return this->Cut.corners[Index(triangle)][static_cast<std::size_t>(
-      std::find(v.begin(), v.end(), vertex) - v.begin())];
+    const auto& v = this->Topology.mesh.triangles[triangle];
+    return this->Cut.corners[triangle][std::find(v.begin(), v.end(), vertex) - v.begin()];
   }
 
   const MeshTopology& Topology;
@@ -116,15 +115,15 @@ private:
 
 int TriangleLeftOf(const MeshTopology& topology, int edge, int from)
 {
-  for (const int t : topology.edges.triangles[Index(edge)])
+  for (const int t : topology.edges.triangles[edge])
   {
     if (t < 0)
     {
       continue;
     }
-    const auto& sides = topology.edges.ofTriangle[Index(t)];
+    const auto& sides = topology.edges.ofTriangle[t];
     const auto i = std::find(sides.begin(), sides.end(), edge) - sides.begin();
-    if (topology.mesh.triangles[Index(t)][static_cast<std::size_t>(i)] == from)
+    if (topology.mesh.triangles[t][i] == from)
     {
       return t;
     }
@@ -143,7 +142,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> EliminateSeams(const MeshTopology& 
   }
   for (int position = 0; position < static_cast<int>(directions.size()); ++position)
   {
-    equations.ImposeSide(position, directions[Index(position)]);
+    equations.ImposeSide(position, directions[position]);
   }
   return equations.Prolongation();
 }

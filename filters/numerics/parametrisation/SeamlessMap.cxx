@@ -11,13 +11,12 @@ namespace crossfield
 {
 SeamTransition SeamlessMap::Across(int triangle, int side) const
 {
-  const int seam = this->seams[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(side)];
+  const int seam = this->seams[triangle][side];
   if (seam == 0)
   {
     return {};
   }
-  const SeamTransition& transition =
-    this->transitions[static_cast<std::size_t>(std::abs(seam) - 1)];
+  const SeamTransition& transition = this->transitions[std::abs(seam) - 1];
   return seam > 0 ? transition : transition.Inverse();
 }
 
@@ -30,15 +29,14 @@ SpacePoint SeamlessMap::PlaceOf(int triangle, const Point& w) const
   {
     const double area =
       TriangleArea(this->At(triangle, side), this->At(triangle, (side + 1) % 3), w);
-    areas[static_cast<std::size_t>((side + 2) % 3)] = std::max(0.0, area);
+    areas[(side + 2) % 3] = std::max(0.0, area);
     sum += std::max(0.0, area);
   }
   SpacePoint place = SpacePoint::Zero();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    place += (areas[i] / sum) *
-      this->topology->PositionOf(
-        this->topology->mesh.triangles[static_cast<std::size_t>(triangle)][i]);
+    place +=
+      (areas[i] / sum) * this->topology->PositionOf(this->topology->mesh.triangles[triangle][i]);
   }
   return place;
 }

@@ -84,8 +84,7 @@ struct SeamlessMap
 
   const Point& At(int triangle, int corner) const
   {
-    return this->points[static_cast<std::size_t>(
-      this->corners[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)])];
+    return this->points[this->corners[triangle][corner]];
   }
   /// Returns the transition across a side of a triangle; the identity where it is no seam.
   SeamTransition Across(int triangle, int side) const;

@@ -1,6 +1,5 @@
 #include "SeamlessPoisson.h"
 
-#include "Index.h"
 #include "P1Laplacian.h"
 #include "Parts.h"
 
@@ -62,10 +61,9 @@ SeamlessPoisson TargetGradients(const MeshTopology& topology, const TriangleFram
           topology.ChartOf(t), std::polar(std::exp(-frames.h[t]), -frames.angle[t]), cone);
         for (std::size_t i = 0; i < 3; ++i)
         {
-          problem.target[Index(t)].row(static_cast<Eigen::Index>(i)) << values[i].real(),
-            values[i].imag();
+          problem.target[t].row(static_cast<Eigen::Index>(i)) << values[i].real(), values[i].imag();
         }
-        problem.weights[Index(t)] = std::exp(2.0 * frames.h[t]);
+        problem.weights[t] = std::exp(2.0 * frames.h[t]);
       }
     });
   LimitWeights(problem.weights);
@@ -91,8 +89,7 @@ Eigen::Matrix<double, 3, 2> SeamlessPoisson::DeviationIn(
   for (int i = 1; i < 3; ++i)
   {
     deviation.row(i) = (goal.row(i) - goal.row(0)) -
-      (unknowns.segment<2>(2 * corners[Index(i)]) - unknowns.segment<2>(2 * corners[0]))
-        .transpose();
+      (unknowns.segment<2>(2 * corners[i]) - unknowns.segment<2>(2 * corners[0])).transpose();
   }
   return deviation;
 }
@@ -109,7 +106,7 @@ Eigen::MatrixX2d SeamlessPoisson::Residual(
         this->DeviationIn(map, unknowns, t));
     for (int i = 0; i < 3; ++i)
     {
-      residual.row(map.corners[t][Index(i)]) += flux.row(i);
+      residual.row(map.corners[t][i]) += flux.row(i);
     }
   }
   return residual;

@@ -27,27 +27,26 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
   SearchTriangles(
     topology.TriangleCount(), { 0 },
     [&](int t, int side)
-    { return cut.isCut[Index(topology.EdgeOf(t, side))] ? -1 : topology.Neighbour(t, side); },
-    [&](int t, int side, int next)
-    { shift[Index(next)] = shift[Index(t)] + targets.jumps[Index(t)][Index(side)]; });
+    { return cut.isCut[topology.EdgeOf(t, side)] ? -1 : topology.Neighbour(t, side); },
+    [&](int t, int side, int next) { shift[next] = shift[t] + targets.jumps[t][side]; });
   for (int t = 0; t < topology.TriangleCount(); ++t)
   {
-    auto& corners = targets.poisson.target[Index(t)];
+    auto& corners = targets.poisson.target[t];
     for (int i = 0; i < 3; ++i)
     {
       // θ grows by the shift, so the target e^{−(H + iθ)} turns back by it.
-      corners.row(i) = TurnByQuarters(corners.row(i).transpose(), -shift[Index(t)]).transpose();
+      corners.row(i) = TurnByQuarters(corners.row(i).transpose(), -shift[t]).transpose();
     }
     for (int side = 0; side < 3; ++side)
     {
-      int& jump = targets.jumps[Index(t)][Index(side)];
+      int& jump = targets.jumps[t][side];
       const int other = topology.Neighbour(t, side);
-      jump += other < 0 ? -shift[Index(t)] : shift[Index(t)] - shift[Index(other)];
+      jump += other < 0 ? -shift[t] : shift[t] - shift[other];
       // Hinges are angles up to whole turns.
-      if (other >= 0 && Modulo4(jump) != 0 && !cut.isCut[Index(topology.EdgeOf(t, side))])
+      if (other >= 0 && Modulo4(jump) != 0 && !cut.isCut[topology.EdgeOf(t, side)])
       {
         throw CoarseMeshError("The cross field has a singularity near " +
-          topology.Where(topology.mesh.triangles[Index(t)][Index(side)]) +
+          topology.Where(topology.mesh.triangles[t][side]) +
           " that was not given; use a finer mesh there.");
       }
     }
@@ -69,19 +68,19 @@ void CollectTransitions(
       const int left = TriangleLeftOf(topology, edges[j], vertices[j]);
       const int right = TriangleLeftOf(topology, edges[j], vertices[j + 1]);
       const std::size_t side = Index(topology.SideOf(left, edges[j]));
-      map.seams[Index(left)][side] = code;
-      map.seams[Index(right)][Index(topology.SideOf(right, edges[j]))] = -code;
+      map.seams[left][side] = code;
+      map.seams[right][topology.SideOf(right, edges[j])] = -code;
       if (j == 0)
       {
         // θ continued across is the neighbour's plus r π/2, so its w turns by i^r.
-        map.transitions.push_back({ Modulo4(jumps[Index(left)][side]), Point::Zero() });
+        map.transitions.push_back({ Modulo4(jumps[left][side]), Point::Zero() });
       }
     }
   }
   for (int position = 0; position < static_cast<int>(topology.mesh.boundary.size()); ++position)
   {
     const auto [t, side] = topology.SideOfBoundary(position);
-    map.directions.push_back(Modulo4(jumps[Index(t)][Index(side)]));
+    map.directions.push_back(Modulo4(jumps[t][side]));
   }
 }
 

@@ -48,7 +48,7 @@ public:
         {
           const auto [turns, residual] =
             RoundToTurns(this->Continued(t, i, other) - this->Phase[other]);
-          frames.jump[Index(t)][Index(i)] = turns;
+          frames.jump[t][i] = turns;
           frames.residual = std::max(frames.residual, residual);
         }
       }
@@ -58,7 +58,7 @@ public:
     {
       const auto [t, i] = this->Topology.SideOfBoundary(position);
       // On an inner loop with a holonomy defect, a quarter of the defect remains.
-      frames.jump[Index(t)][Index(i)] =
+      frames.jump[t][i] =
         RoundToTurns(this->BoundaryPhase(position) - this->Phase[t] - this->StepTo(t, i)).first;
     }
   }
@@ -72,10 +72,7 @@ private:
     return std::make_pair(static_cast<int>(whole), 0.25 * std::abs(phase - whole * turn));
   }
 
-  double StepTo(int triangle, int side) const
-  {
-    return this->Steps.toSide[Index(triangle)][Index(side)];
-  }
+  double StepTo(int triangle, int side) const { return this->Steps.toSide[triangle][side]; }
 
   /// Returns the phase of the cross along a boundary edge, at its midpoint, in the chart of its
   /// triangle.

@@ -39,7 +39,7 @@ Eigen::VectorXd SolveConstantOnHoles(
 double AlignedDifference(
   const PotentialProblem& problem, const AlignedSources& sources, Eigen::Index k)
 {
-  const Cycle& cycle = problem.Topology().cycles[static_cast<std::size_t>(k)];
+  const Cycle& cycle = problem.Topology().cycles[k];
   return std::arg(problem.alignment.crosses[cycle.firstBoundaryEdge] *
            std::conj(problem.alignment.crosses[cycle.lastBoundaryEdge])) +
     sources.midpointShift[cycle.firstBoundaryEdge] - sources.midpointShift[cycle.lastBoundaryEdge];

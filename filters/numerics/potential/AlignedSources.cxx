@@ -165,7 +165,7 @@ private:
   bool IsCorner(std::size_t i) const
   {
     const int vertex = this->Edge(i).vertices[0];
-    return this->Problem.Topology().corners[static_cast<std::size_t>(vertex)];
+    return this->Problem.Topology().corners[vertex];
   }
   double Turning(std::size_t i) const { return this->Problem.Topology().turning[this->Edges[i]]; }
   double Length(std::size_t i) const

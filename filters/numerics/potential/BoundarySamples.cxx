@@ -15,7 +15,7 @@ BoundarySamples::BoundarySamples(const PointPotential& potential)
     const BoundaryHalf& first = halves[2 * static_cast<std::size_t>(i)];
     this->points.row(i) = first.from.transpose();
     this->points.row(count + i) = first.to.transpose();
-    const auto following = static_cast<Eigen::Index>(next[static_cast<std::size_t>(i)]);
+    const auto following = static_cast<Eigen::Index>(next[i]);
     this->starts.insert(this->starts.end(), { i, count + i });
     this->ends.insert(this->ends.end(), { count + i, following });
   }

@@ -80,8 +80,7 @@ double ConformingPhase::Jump(int triangle, int vertex) const
   double jump = 0.0;
   if (found != this->StepsOf.OfTriangle.end())
   {
-    const auto& v =
-      this->Laplacian.GetTopology().mesh.triangles[static_cast<std::size_t>(triangle)];
+    const auto& v = this->Laplacian.GetTopology().mesh.triangles[triangle];
     const auto i = std::find(v.begin(), v.end(), vertex) - v.begin();
     for (const auto& [k, step] : found->second)
     {
@@ -112,12 +111,12 @@ double ConformingPhase::Transport(Eigen::Index k) const
 {
   const PlanarTopology& topology = this->Laplacian.GetTopology();
   double sum = 0.0;
-  for (const Cycle::Step& step : topology.cycles[static_cast<std::size_t>(k)].steps)
+  for (const Cycle::Step& step : topology.cycles[k].steps)
   {
-    const auto& v = topology.mesh.triangles[static_cast<std::size_t>(step.triangle)];
+    const auto& v = topology.mesh.triangles[step.triangle];
     const auto at = [&](int side)
     {
-      const int vertex = v[static_cast<std::size_t>(side % 3)];
+      const int vertex = v[side % 3];
       return this->Value[vertex] + this->Jump(step.triangle, vertex);
     };
     sum += 0.5 * (at(step.exit) + at(step.exit + 1) - at(step.entry + 1) - at(step.entry));

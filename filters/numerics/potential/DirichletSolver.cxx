@@ -84,7 +84,7 @@ Eigen::MatrixXd DirichletSolver::Harmonic(const Eigen::MatrixXd& x) const
   Eigen::MatrixXd prescribed(static_cast<Eigen::Index>(this->Prescribed.size()), x.cols());
   for (Eigen::Index i = 0; i < prescribed.rows(); ++i)
   {
-    prescribed.row(i) = x.row(this->Prescribed[static_cast<std::size_t>(i)]);
+    prescribed.row(i) = x.row(this->Prescribed[i]);
   }
   Eigen::MatrixXd sources(x.rows(), x.cols());
   ForRanges(
@@ -115,7 +115,7 @@ Eigen::MatrixXd DirichletSolver::HarmonicSources(const Eigen::MatrixXd& x) const
         const Eigen::VectorXd values = this->Columns.transpose() * harmonic.col(column);
         for (Eigen::Index i = 0; i < values.size(); ++i)
         {
-          sources(this->Prescribed[static_cast<std::size_t>(i)], column) = values[i];
+          sources(this->Prescribed[i], column) = values[i];
         }
       }
     },

@@ -58,7 +58,7 @@ Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
       follow(loop, loop.edges.front());
       continue;
     }
-    const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
+    const Cycle& cycle = topology.cycles[k];
     values.row(cycle.lastBoundaryEdge) =
       values.row(cycle.firstBoundaryEdge) + sources.row(this->Potential.PeriodRow(k));
     follow(loop, cycle.lastBoundaryEdge);

@@ -39,12 +39,12 @@ Eigen::SparseMatrix<double> HoleSources(const PotentialOperator& laplacian)
     {
       continue;
     }
-    const Cycle& cycle = topology.cycles[static_cast<std::size_t>(period)];
+    const Cycle& cycle = topology.cycles[period];
     const auto size = static_cast<int>(loop.edges.size());
     for (int j = 0; j < size; ++j)
     {
       // Edges are directed clockwise around the hole, so edge j starts where edge j + 1 ends.
-      const int edge = loop.edges[static_cast<std::size_t>(j)];
+      const int edge = loop.edges[j];
       const int vertex = topology.BoundaryAt(edge).vertices[0];
       entries.emplace_back(vertex, first + j, 1.0);
       entries.emplace_back(vertex, first + (j + 1) % size, -1.0);

@@ -38,7 +38,7 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   const PlanarTopology& topology = this->Problem.Topology();
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
-    this->Next[static_cast<std::size_t>(topology.previous[i])] = i;
+    this->Next[topology.previous[i]] = i;
     const auto& ends = topology.mesh.boundary[i].vertices;
     const Point middle = topology.Midpoint(topology.edges.ofBoundary[i]);
     const auto growth = this->Curve.growth.col(static_cast<Eigen::Index>(i));
@@ -81,7 +81,7 @@ PointPotential::BoundaryLog PointPotential::QuarterAt(std::size_t entry) const
 {
   const PlanarTopology& topology = this->Problem.Topology();
   const int vertex = topology.mesh.boundary[entry].vertices[0];
-  if (topology.corners[static_cast<std::size_t>(vertex)])
+  if (topology.corners[vertex])
   {
     const double angle = Pi - topology.turning[static_cast<Eigen::Index>(entry)];
     return { { topology.PointAt(vertex), 2.0 * Pi / angle, angle }, vertex, false };
@@ -209,7 +209,7 @@ void PointPotential::FindBoundaryLogs()
     const int vertex = topology.mesh.boundary[i].vertices[0];
     const auto found = chosen.find(vertex);
     const double source = this->Curve.jumps[vertex];
-    if (topology.corners[static_cast<std::size_t>(vertex)])
+    if (topology.corners[vertex])
     {
       const double angle = Pi - topology.turning[static_cast<Eigen::Index>(i)];
       if (std::abs(source) > 4.0 * AngleRounding)
@@ -275,7 +275,7 @@ std::vector<double> PointPotential::Turns(const BoundaryLog& source) const
 std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
 {
   const PlanarTopology& topology = this->Problem.Topology();
-  const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
+  const Cycle& cycle = topology.cycles[k];
   const auto middle = [&topology](int position)
   { return topology.Midpoint(topology.EdgeOfBoundary(position)); };
   return { middle(cycle.firstBoundaryEdge), middle(cycle.lastBoundaryEdge) };
@@ -284,10 +284,10 @@ std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
 std::vector<Point> PointPotential::StripPath(Eigen::Index k, bool onCurve) const
 {
   const PlanarTopology& topology = this->Problem.Topology();
-  const Cycle& cycle = topology.cycles[static_cast<std::size_t>(k)];
+  const Cycle& cycle = topology.cycles[k];
   const std::array<Point, 2> ends = onCurve
-    ? std::array<Point, 2>{ this->Curve.middle[static_cast<std::size_t>(cycle.firstBoundaryEdge)],
-        this->Curve.middle[static_cast<std::size_t>(cycle.lastBoundaryEdge)] }
+    ? std::array<Point, 2>{ this->Curve.middle[cycle.firstBoundaryEdge],
+        this->Curve.middle[cycle.lastBoundaryEdge] }
     : this->StripEnds(k);
   std::vector<Point> path = { ends[0] };
   for (const Cycle::Step& step : cycle.steps)

@@ -31,7 +31,7 @@ Eigen::MatrixXd Respond(const PointPotential& points, const BoundarySamples& sam
       {
         for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
         {
-          sources(halves[static_cast<std::size_t>(h)].vertex, column) += fluxes(h, column);
+          sources(halves[h].vertex, column) += fluxes(h, column);
         }
       }
     },
@@ -46,7 +46,7 @@ Eigen::MatrixXd Respond(const PointPotential& points, const BoundarySamples& sam
       {
         for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
         {
-          response(h, column) = atVertices(halves[static_cast<std::size_t>(h)].vertex, column);
+          response(h, column) = atVertices(halves[h].vertex, column);
         }
       }
     },
@@ -89,12 +89,12 @@ PositionCurvature Differentiate(const PositionEnergy& energy, const Configuratio
       Eigen::ArrayXd a(samples.points.rows());
       for (Eigen::Index j = first; j < last; ++j)
       {
-        const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+        const LogSource& log = solution.logs[j];
         samples.InvertOffsets(log.position, x, y);
         for (Eigen::Index h = 0; h < halves; ++h)
         {
-          const Eigen::Index start = samples.starts[static_cast<std::size_t>(h)];
-          const Eigen::Index end = samples.ends[static_cast<std::size_t>(h)];
+          const Eigen::Index start = samples.starts[h];
+          const Eigen::Index end = samples.ends[h];
           fluxes(h, 2 * j) = log.strength * (y[end] - y[start]);
           fluxes(h, 2 * j + 1) = log.strength * (x[start] - x[end]);
           means(h, 2 * j) = -0.5 * log.strength * (x[start] + x[end]);
@@ -109,10 +109,10 @@ PositionCurvature Differentiate(const PositionEnergy& energy, const Configuratio
     samples.SingularitiesOfPart());
   for (Eigen::Index j = 0; j < count; ++j)
   {
-    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+    const LogSource& log = solution.logs[j];
     for (Eigen::Index k = 0; k < multipliers.size(); ++k)
     {
-      const std::vector<Point>& path = energy.Paths[static_cast<std::size_t>(k)];
+      const std::vector<Point>& path = energy.Paths[k];
       const Eigen::Vector2d change =
         InverseSquare(path.back() - log.position) - InverseSquare(path.front() - log.position);
       add(j, j, log.strength * multipliers[k] * change.y(),

@@ -137,7 +137,7 @@ PositionEnergy::Flows PositionEnergy::Solve(const Configuration& configuration,
     this->Potential->Complete(solution,
       [&](Eigen::Index k, double phase)
       {
-        const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
+        const std::vector<Point>& path = this->Paths[k];
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
         {
           phase += SumOfTurns(begin, end, path[i], path[i + 1]);
@@ -212,7 +212,7 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
       Eigen::ArrayXd y(this->Samples.points.rows());
       for (Eigen::Index j = begin; j < end; ++j)
       {
-        const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+        const LogSource& log = solution.logs[j];
         this->Samples.InvertOffsets(log.position, x, y);
         value.singleValuedGradient(0, j) += log.strength * (turnFactors * y - logFactors * x).sum();
         value.singleValuedGradient(1, j) -= log.strength * (turnFactors * x + logFactors * y).sum();
@@ -229,11 +229,11 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
   const Eigen::MatrixXd carried = AdjointProduct(influence, atMiddles);
   for (Eigen::Index k = 0; k < periods; ++k)
   {
-    const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
+    const std::vector<Point>& path = this->Paths[k];
     Eigen::Matrix2Xd derivative(2, count);
     for (Eigen::Index j = 0; j < count; ++j)
     {
-      const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+      const LogSource& log = solution.logs[j];
       derivative.col(j) = Point(carried(k, 2 * j), carried(k, 2 * j + 1)) -
         log.strength *
           (LogSource::TurnDerivative(path.front(), log.position) -

@@ -16,9 +16,7 @@ DissectedCholesky FactorOperator(
 {
   const PlanarTopology& topology = laplacian.GetTopology();
   const TriangleMesh& mesh = topology.mesh;
-  std::vector<int> leftOut = {
-    mesh.boundary[static_cast<std::size_t>(topology.FirstOuterEdge())].vertices[0]
-  };
+  std::vector<int> leftOut = { mesh.boundary[topology.FirstOuterEdge()].vertices[0] };
   if (boundary == PotentialFactor::Boundary::Dirichlet)
   {
     leftOut.clear();

@@ -38,7 +38,7 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
       products.emplace_back(step.triangle, product);
       for (std::size_t i = 0; i < 3; ++i)
       {
-        const int vertex = mesh.triangles[static_cast<std::size_t>(step.triangle)][i];
+        const int vertex = mesh.triangles[step.triangle][i];
         border.emplace_back(vertex, row, product[static_cast<Eigen::Index>(i)]);
         border.emplace_back(row, vertex, product[static_cast<Eigen::Index>(i)]);
       }
@@ -113,9 +113,9 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
   const auto gradientOf = [this](std::size_t t, double f0, double f1, double f2) -> Point
   {
     const auto& triangle = this->Topology->mesh.triangles[t];
-    const Point& p0 = this->Topology->mesh.points[static_cast<std::size_t>(triangle[0])];
-    const Point a = this->Topology->mesh.points[static_cast<std::size_t>(triangle[1])] - p0;
-    const Point b = this->Topology->mesh.points[static_cast<std::size_t>(triangle[2])] - p0;
+    const Point& p0 = this->Topology->mesh.points[triangle[0]];
+    const Point a = this->Topology->mesh.points[triangle[1]] - p0;
+    const Point b = this->Topology->mesh.points[triangle[2]] - p0;
     const double da = f1 - f0;
     const double db = f2 - f0;
     return Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b);
@@ -127,7 +127,7 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
     {
       for (int t = begin; t < end; ++t)
       {
-        const auto& v = this->Topology->mesh.triangles[static_cast<std::size_t>(t)];
+        const auto& v = this->Topology->mesh.triangles[t];
         for (Eigen::Index c = 0; c < potentials.cols(); ++c)
         {
           gradient.block<2, 1>(2 * c, t) = gradientOf(static_cast<std::size_t>(t),
@@ -137,7 +137,7 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
     });
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
-    for (const Cycle::Step& step : this->Topology->cycles[static_cast<std::size_t>(k)].steps)
+    for (const Cycle::Step& step : this->Topology->cycles[k].steps)
     {
       const Eigen::Vector3d left = step.Left();
       const Point cut =
@@ -159,8 +159,8 @@ Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
   const auto load = [&](std::size_t t, std::size_t i)
   {
     const auto& v = this->Topology->mesh.triangles[t];
-    const Point opposite = this->Topology->mesh.points[static_cast<std::size_t>(v[(i + 2) % 3])] -
-      this->Topology->mesh.points[static_cast<std::size_t>(v[(i + 1) % 3])];
+    const Point opposite =
+      this->Topology->mesh.points[v[(i + 2) % 3]] - this->Topology->mesh.points[v[(i + 1) % 3]];
     return 0.5 * Cross(opposite, gradient.col(static_cast<Eigen::Index>(t)));
   };
   for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
@@ -172,7 +172,7 @@ Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
   }
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
-    for (const Cycle::Step& step : this->Topology->cycles[static_cast<std::size_t>(k)].steps)
+    for (const Cycle::Step& step : this->Topology->cycles[k].steps)
     {
       const Eigen::Vector3d left = step.Left();
       for (std::size_t i = 0; i < 3; ++i)

@@ -101,7 +101,7 @@ void AddBoundaryIntegrals(const PointPotential& potential, const PointPotential:
       0.5 * (half.growth - flow.flux) * regularValue + flow.mean * (half.growth - 0.5 * flow.flux);
     for (Eigen::Index j = 0; j < count; ++j)
     {
-      const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+      const LogSource& log = solution.logs[j];
       const Point turn = log.strength *
         (LogSource::TurnDerivative(half.to, log.position) -
           LogSource::TurnDerivative(half.from, log.position));
@@ -112,8 +112,7 @@ void AddBoundaryIntegrals(const PointPotential& potential, const PointPotential:
       for (Eigen::Index k = 0; k < periods; ++k)
       {
         // The carried phase is linear in the sources, and its adjoint is the basis of the periods.
-        terms.carriedGradient[static_cast<std::size_t>(k)].col(j) -=
-          potential.GetPeriodBasis()(half.vertex, k) * turn;
+        terms.carriedGradient[k].col(j) -= potential.GetPeriodBasis()(half.vertex, k) * turn;
       }
     }
   }
@@ -132,12 +131,12 @@ std::vector<Eigen::Matrix2Xd> DefectGradients(const PointPotential& potential,
     Eigen::Matrix2Xd derivative = Eigen::Matrix2Xd::Zero(2, count);
     for (Eigen::Index l = 0; l < periods; ++l)
     {
-      derivative += schur(k, l) * carriedGradient[static_cast<std::size_t>(l)];
+      derivative += schur(k, l) * carriedGradient[l];
     }
     const auto [first, last] = potential.StripEnds(k);
     for (Eigen::Index j = 0; j < count; ++j)
     {
-      const LogSource& log = logs[static_cast<std::size_t>(j)];
+      const LogSource& log = logs[j];
       derivative.col(j) -= log.strength *
         (LogSource::TurnDerivative(first, log.position) -
           LogSource::TurnDerivative(last, log.position));

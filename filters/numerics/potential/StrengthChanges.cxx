@@ -84,8 +84,7 @@ StrengthChanges::Column StrengthChanges::MakeColumn(const Place& place) const
   column.defects.resize(this->Defects.size());
   for (Eigen::Index k = 0; k < column.defects.size(); ++k)
   {
-    const std::vector<Point>& path =
-      this->Paths[source.onCurve ? 1 : 0][static_cast<std::size_t>(k)];
+    const std::vector<Point>& path = this->Paths[source.onCurve ? 1 : 0][k];
     double turn = 0.0;
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
     {
@@ -107,10 +106,10 @@ void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) cons
   Eigen::MatrixXd fluxes = Eigen::MatrixXd::Zero(this->Growth.size() / 2, count);
   for (Eigen::Index c = 0; c < count; ++c)
   {
-    const Eigen::VectorXd& flux = columns[static_cast<std::size_t>(c)]->flux;
+    const Eigen::VectorXd& flux = columns[c]->flux;
     for (Eigen::Index h = 0; h < flux.size(); ++h)
     {
-      sources(halves[static_cast<std::size_t>(h)].vertex, c) += flux[h];
+      sources(halves[h].vertex, c) += flux[h];
       fluxes(h / 2, c) += flux[h];
     }
   }
@@ -128,13 +127,12 @@ void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) cons
     {
       for (Eigen::Index c = begin; c < end; ++c)
       {
-        Column& column = *columns[static_cast<std::size_t>(c)];
+        Column& column = *columns[c];
         column.response.resize(this->Growth.size());
         for (Eigen::Index h = 0; h < column.response.size(); ++h)
         {
-          column.response[h] = 0.5 *
-            (solution(halves[static_cast<std::size_t>(h)].vertex, c) + correction(h, c) +
-              atEdges(h / 2, c));
+          column.response[h] =
+            0.5 * (solution(halves[h].vertex, c) + correction(h, c) + atEdges(h / 2, c));
         }
         column.defects += carried.col(c);
       }

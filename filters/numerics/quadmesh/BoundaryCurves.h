@@ -34,7 +34,7 @@ public:
   int CurveAt(const CurvePlace& place) const;
   /// Returns the polylines.
   const std::vector<LoopArc>& GetArcs() const { return this->Arcs; }
-  const LoopArc& ArcOf(int loop) const { return this->Arcs[static_cast<std::size_t>(loop)]; }
+  const LoopArc& ArcOf(int loop) const { return this->Arcs[loop]; }
   double Length(int loop) const { return this->ArcOf(loop).Length(); }
 
 private:

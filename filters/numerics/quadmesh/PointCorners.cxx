@@ -21,8 +21,8 @@ PointCorners::PointCorners(const QuadMesh& mesh)
   std::vector<int> next(this->First.begin(), this->First.end() - 1);
   for (int corner = 0; corner < static_cast<int>(this->Corners.size()); ++corner)
   {
-    const int p = mesh.quads[Index(corner / 4)][Index(corner % 4)];
-    this->Corners[Index(next[Index(p)]++)] = corner;
+    const int p = mesh.quads[corner / 4][corner % 4];
+    this->Corners[next[p]++] = corner;
   }
 }
 }

@@ -13,8 +13,8 @@ public:
   explicit PointCorners(const QuadMesh& mesh);
 
   /// The corners of point p are Get(i) for i from Begin(p) to Begin(p + 1) − 1, in increasing order.
-  int Begin(int p) const { return this->First[static_cast<std::size_t>(p)]; }
-  int Get(int i) const { return this->Corners[static_cast<std::size_t>(i)]; }
+  int Begin(int p) const { return this->First[p]; }
+  int Get(int i) const { return this->Corners[i]; }
 
 private:
   std::vector<int> First;

@@ -27,10 +27,9 @@ PointGrid::PointGrid(const QuadMesh& mesh)
     {
       const int from = quad[c];
       const int to = quad[(c + 1) % 4];
-      const double reach =
-        ReachPart * (mesh.points[Index(from)].place - mesh.points[Index(to)].place).norm();
-      this->Reach[Index(from)] = std::min(this->Reach[Index(from)], reach);
-      this->Reach[Index(to)] = std::min(this->Reach[Index(to)], reach);
+      const double reach = ReachPart * (mesh.points[from].place - mesh.points[to].place).norm();
+      this->Reach[from] = std::min(this->Reach[from], reach);
+      this->Reach[to] = std::min(this->Reach[to], reach);
     }
   }
   for (const double reach : this->Reach)
@@ -73,7 +72,7 @@ PointGrid::PointGrid(const QuadMesh& mesh)
   this->Cells.resize(cells.size());
   for (std::size_t p = 0; p < cells.size(); ++p)
   {
-    this->Cells[Index(next[columnOf(p)]++)] = { cells[p][1], static_cast<int>(p) };
+    this->Cells[next[columnOf(p)]++] = { cells[p][1], static_cast<int>(p) };
   }
   const auto perColumn = static_cast<std::ptrdiff_t>(1 + cells.size() / (columns + 1));
   ForRanges(
@@ -82,8 +81,8 @@ PointGrid::PointGrid(const QuadMesh& mesh)
     {
       for (int c = begin; c < end; ++c)
       {
-        std::sort(this->Cells.begin() + this->Columns[Index(c)],
-          this->Cells.begin() + this->Columns[Index(c + 1)]);
+        std::sort(
+          this->Cells.begin() + this->Columns[c], this->Cells.begin() + this->Columns[c + 1]);
       }
     },
     std::max<std::ptrdiff_t>(1, MinimumPartSize / perColumn));
@@ -93,7 +92,7 @@ int PointGrid::Find(const Point& place, int p) const
 {
   const std::array<long long, 2> cell = this->CellOf(place);
   int best = -1;
-  double nearest = this->Reach[Index(p)];
+  double nearest = this->Reach[p];
   const auto columns = static_cast<long long>(this->Columns.size()) - 1;
   for (long long i = std::max(cell[0] - 1 - this->FirstColumn, 0LL);
        i < std::min(cell[0] + 2 - this->FirstColumn, columns); ++i)
@@ -104,7 +103,7 @@ int PointGrid::Find(const Point& place, int p) const
     for (auto at = std::lower_bound(this->Cells.begin() + this->Columns[column], end, first);
          at != end && at->first <= cell[1] + 1; ++at)
     {
-      const double distance = (this->Mesh.points[Index(at->second)].place - place).norm();
+      const double distance = (this->Mesh.points[at->second].place - place).norm();
       if (distance < nearest)
       {
         nearest = distance;
@@ -117,7 +116,7 @@ int PointGrid::Find(const Point& place, int p) const
 
 double PointGrid::EdgesBetween(const Point& place, int p) const
 {
-  return ReachPart * (this->Mesh.points[Index(p)].place - place).norm() / this->Reach[Index(p)];
+  return ReachPart * (this->Mesh.points[p].place - place).norm() / this->Reach[p];
 }
 
 std::array<long long, 2> PointGrid::CellOf(const Point& place) const

@@ -35,7 +35,7 @@ std::vector<int> PointsAlong(const QuadBlock& block, std::size_t side)
   {
     const int i = alongI ? k : fixed;
     const int j = alongI ? fixed : k;
-    points.push_back(block.points[static_cast<std::size_t>(j * (block.width + 1) + i)]);
+    points.push_back(block.points[j * (block.width + 1) + i]);
   }
   return points;
 }

@@ -35,7 +35,7 @@ public:
     for (std::size_t side = 0; side < this->Twins.size(); ++side)
     {
       const int twin = this->Twins[side];
-      if (twin >= 0 && regions[side / 4] != regions[Index(twin / 4)])
+      if (twin >= 0 && regions[side / 4] != regions[twin / 4])
       {
         this->Walls[side] = true;
       }
@@ -46,11 +46,11 @@ public:
   {
     for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
     {
-      if (this->Twins[Index(side)] < 0)
+      if (this->Twins[side] < 0)
       {
-        this->Walls[Index(side)] = true;
+        this->Walls[side] = true;
       }
-      if (!this->Regular[Index(this->StartOf(side))])
+      if (!this->Regular[this->StartOf(side)])
       {
         this->MarkLine(side);
       }
@@ -63,7 +63,7 @@ public:
     this->Turns.assign(count, 0);
     for (int quad = 0; quad < static_cast<int>(count); ++quad)
     {
-      while (result.block[Index(quad)] < 0 && !this->Fill(quad, result))
+      while (result.block[quad] < 0 && !this->Fill(quad, result))
       {
       }
     }
@@ -71,24 +71,24 @@ public:
   }
 
 private:
-  int StartOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index(side % 4)]; }
-  int EndOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index((side + 1) % 4)]; }
+  int StartOf(int side) const { return this->Mesh.quads[side / 4][side % 4]; }
+  int EndOf(int side) const { return this->Mesh.quads[side / 4][(side + 1) % 4]; }
   static int Next(int side) { return side / 4 * 4 + (side + 1) % 4; }
 
   /// Marks walls from a side on, straight through regular points, up to another wall along the
   /// line.
   void MarkLine(int side)
   {
-    while (!this->Walls[Index(side)])
+    while (!this->Walls[side])
     {
-      this->Walls[Index(side)] = true;
-      this->Walls[Index(this->Twins[Index(side)])] = true;
+      this->Walls[side] = true;
+      this->Walls[this->Twins[side]] = true;
       const auto end = Index(this->EndOf(side));
       if (!this->Regular[end] || !this->Inside[end])
       {
         return;
       }
-      side = Next(this->Twins[Index(Next(side))]);
+      side = Next(this->Twins[Next(side)]);
     }
   }
 
@@ -98,10 +98,10 @@ private:
   {
     const auto block = static_cast<int>(result.blocks.size());
     std::vector<int> members = { first };
-    result.block[Index(first)] = block;
-    result.i[Index(first)] = 0;
-    result.j[Index(first)] = 0;
-    this->Turns[Index(first)] = 0;
+    result.block[first] = block;
+    result.i[first] = 0;
+    result.j[first] = 0;
+    this->Turns[first] = 0;
     constexpr std::array<std::array<int, 2>, 4> Steps = { { { 0, -1 }, { 1, 0 }, { 0, 1 },
       { -1, 0 } } };
     bool closes = false;
@@ -111,27 +111,27 @@ private:
       for (int s = 0; s < 4; ++s)
       {
         const int side = 4 * quad + s;
-        if (this->Walls[Index(side)])
+        if (this->Walls[side])
         {
           continue;
         }
-        const int twin = this->Twins[Index(side)];
+        const int twin = this->Twins[side];
         const int other = twin / 4;
         // Direction of the side in the block, 0 to 3: below, right, above, left.
-        const int direction = (s + this->Turns[Index(quad)]) % 4;
-        const int i = result.i[Index(quad)] + Steps[Index(direction)][0];
-        const int j = result.j[Index(quad)] + Steps[Index(direction)][1];
-        if (result.block[Index(other)] < 0)
+        const int direction = (s + this->Turns[quad]) % 4;
+        const int i = result.i[quad] + Steps[direction][0];
+        const int j = result.j[quad] + Steps[direction][1];
+        if (result.block[other] < 0)
         {
-          result.block[Index(other)] = block;
-          result.i[Index(other)] = i;
-          result.j[Index(other)] = j;
-          this->Turns[Index(other)] = (direction + 2 - twin % 4 + 4) % 4;
+          result.block[other] = block;
+          result.i[other] = i;
+          result.j[other] = j;
+          this->Turns[other] = (direction + 2 - twin % 4 + 4) % 4;
           members.push_back(other);
         }
         else
         {
-          closes = closes || result.i[Index(other)] != i || result.j[Index(other)] != j;
+          closes = closes || result.i[other] != i || result.j[other] != j;
         }
       }
     }
@@ -140,7 +140,7 @@ private:
       this->CutAnnulus(members);
       for (const int quad : members)
       {
-        result.block[Index(quad)] = -1;
+        result.block[quad] = -1;
       }
       return false;
     }
@@ -156,7 +156,7 @@ private:
       for (int s = 0; s < 4; ++s)
       {
         const int across = 4 * quad + (s + 1) % 4;
-        if (this->Walls[Index(4 * quad + s)] && !this->Walls[Index(across)])
+        if (this->Walls[4 * quad + s] && !this->Walls[across])
         {
           this->MarkAcross(across);
           return;
@@ -168,16 +168,16 @@ private:
   /// Marks walls as MarkLine does, but stops at a crossing wall.
   void MarkAcross(int side)
   {
-    while (!this->Walls[Index(side)])
+    while (!this->Walls[side])
     {
-      this->Walls[Index(side)] = true;
-      this->Walls[Index(this->Twins[Index(side)])] = true;
+      this->Walls[side] = true;
+      this->Walls[this->Twins[side]] = true;
       const int left = Next(side);
-      if (this->Walls[Index(left)])
+      if (this->Walls[left])
       {
         return;
       }
-      side = Next(this->Twins[Index(left)]);
+      side = Next(this->Twins[left]);
     }
   }
 
@@ -188,8 +188,8 @@ private:
     std::array<int, 2> high = { -Far, -Far };
     for (const int quad : members)
     {
-      low = { std::min(low[0], result.i[Index(quad)]), std::min(low[1], result.j[Index(quad)]) };
-      high = { std::max(high[0], result.i[Index(quad)]), std::max(high[1], result.j[Index(quad)]) };
+      low = { std::min(low[0], result.i[quad]), std::min(low[1], result.j[quad]) };
+      high = { std::max(high[0], result.i[quad]), std::max(high[1], result.j[quad]) };
     }
     QuadBlock block;
     block.width = high[0] - low[0] + 1;
@@ -197,16 +197,16 @@ private:
     block.points.assign(Index(block.width + 1) * Index(block.height + 1), -1);
     for (const int quad : members)
     {
-      const int i = result.i[Index(quad)] -= low[0];
-      const int j = result.j[Index(quad)] -= low[1];
+      const int i = result.i[quad] -= low[0];
+      const int j = result.j[quad] -= low[1];
       // Corners of the block's cell, counter-clockwise from its lower left one.
       const std::array<std::array<int, 2>, 4> corners = { { { i, j }, { i + 1, j },
         { i + 1, j + 1 }, { i, j + 1 } } };
       for (int c = 0; c < 4; ++c)
       {
-        const auto& at = corners[Index((c + this->Turns[Index(quad)]) % 4)];
+        const auto& at = corners[(c + this->Turns[quad]) % 4];
         block.points[Index(at[1]) * Index(block.width + 1) + Index(at[0])] =
-          this->Mesh.quads[Index(quad)][Index(c)];
+          this->Mesh.quads[quad][c];
       }
     }
     result.blocks.push_back(std::move(block));

@@ -14,7 +14,7 @@ namespace
 {
 const Point& At(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
 {
-  return mesh.points[Index(mesh.quads[quad][corner % 4])].place;
+  return mesh.points[mesh.quads[quad][corner % 4]].place;
 }
 
 Range RangeOf(const std::vector<double>& values)
@@ -94,9 +94,9 @@ std::vector<double> AnglesForQuads(const QuadMesh& mesh)
     for (std::size_t c = 0; c < 4; ++c)
     {
       const int p = mesh.quads[q][c];
-      if (IsCorner(mesh.points[Index(p)]))
+      if (IsCorner(mesh.points[p]))
       {
-        angles[Index(p)] += std::abs(
+        angles[p] += std::abs(
           AngleBetween(At(mesh, q, c + 1) - At(mesh, q, c), At(mesh, q, c + 3) - At(mesh, q, c)));
       }
     }
@@ -164,7 +164,7 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
         double scale = 0.0;
         for (const int point : mesh.quads[q])
         {
-          scale += 0.25 * mesh.points[Index(point)].scale;
+          scale += 0.25 * mesh.points[point].scale;
         }
         quality.sizeRatio[q] = sizes[q] / (size * scale);
       }
@@ -177,10 +177,9 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
     const auto worst =
       std::min_element(quality.scaledJacobian.begin(), quality.scaledJacobian.end());
     quality.where = Point::Zero();
-    for (const int point :
-      mesh.quads[static_cast<std::size_t>(worst - quality.scaledJacobian.begin())])
+    for (const int point : mesh.quads[worst - quality.scaledJacobian.begin()])
     {
-      quality.where += 0.25 * mesh.points[Index(point)].place;
+      quality.where += 0.25 * mesh.points[point].place;
     }
   }
   quality.jacobian = RangeOf(quality.scaledJacobian);

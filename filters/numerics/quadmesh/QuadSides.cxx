@@ -44,8 +44,8 @@ void NameBoundary(const BoundarySides& sides, const BoundaryCurves& curves, Quad
   const SidesAlong along(sides, curves.GetArcs());
   for (QuadBoundaryEdge& edge : mesh.boundary)
   {
-    const CurvePlace& from = mesh.points[Index(edge.points[0])].curve;
-    const CurvePlace& to = mesh.points[Index(edge.points[1])].curve;
+    const CurvePlace& from = mesh.points[edge.points[0]].curve;
+    const CurvePlace& to = mesh.points[edge.points[1]].curve;
     const double loop = curves.Length(from.loop);
     const double length = to.at - from.at - loop * std::floor((to.at - from.at) / loop);
     const CurvePlace middle = { from.loop, from.at + 0.5 * length };
@@ -93,11 +93,10 @@ std::vector<SideMeasure> MeasureSides(const QuadMesh& mesh)
   {
     if (edge.side >= 0)
     {
-      SideMeasure& measure = measures[Index(edge.side)];
+      SideMeasure& measure = measures[edge.side];
       ++measure.edges;
       measure.length +=
-        (mesh.points[Index(edge.points[1])].place - mesh.points[Index(edge.points[0])].place)
-          .norm();
+        (mesh.points[edge.points[1]].place - mesh.points[edge.points[0]].place).norm();
     }
   }
   return measures;

@@ -20,7 +20,7 @@ void SetTargetLengths(QuadMesh& mesh, const TargetSizes& sizes, double area)
     Point centre = Point::Zero();
     for (const int point : quad)
     {
-      centre += 0.25 * mesh.points[static_cast<std::size_t>(point)].place;
+      centre += 0.25 * mesh.points[point].place;
     }
     relative.push_back(sizes.At(centre));
     squares += relative.back() * relative.back();

@@ -1,7 +1,6 @@
 #include "ChartWalk.h"
 
 #include "Error.h"
-#include "Index.h"
 #include "TriangleArea.h"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ std::array<double, 3> AreasAt(const SeamlessMap& map, int triangle, const Point&
   for (int side = 0; side < 3; ++side)
   {
     const Point& from = map.At(triangle, side);
-    areas[Index(side)] = Cross(map.At(triangle, (side + 1) % 3) - from, w - from);
+    areas[side] = Cross(map.At(triangle, (side + 1) % 3) - from, w - from);
   }
   return areas;
 }
@@ -38,10 +37,10 @@ ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& d
     double first = 2.0;
     for (int i = 0; i < 3; ++i)
     {
-      if (i != entered && end[Index(i)] < 0.0)
+      if (i != entered && end[i] < 0.0)
       {
-        const double inside = std::max(0.0, start[Index(i)]);
-        const double at = inside / (inside - end[Index(i)]);
+        const double inside = std::max(0.0, start[i]);
+        const double at = inside / (inside - end[i]);
         if (at < first)
         {
           first = at;
@@ -55,7 +54,7 @@ ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& d
       place.w = target;
       return place;
     }
-    if (map.seams[Index(place.triangle)][Index(side)] != 0)
+    if (map.seams[place.triangle][side] != 0)
     {
       const SeamTransition across = map.Across(place.triangle, side);
       place.w = across(place.w);
@@ -66,8 +65,7 @@ ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& d
     place.triangle = next;
   }
   throw Error("A straight path in the seamless map does not end near " +
-    map.topology->Where(map.topology->mesh.triangles[Index(place.triangle)][0]) +
-    "; use a finer mesh.");
+    map.topology->Where(map.topology->mesh.triangles[place.triangle][0]) + "; use a finer mesh.");
 }
 
 double PlaneScale(const SeamlessMap& map, int triangle)

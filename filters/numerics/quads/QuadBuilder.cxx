@@ -102,7 +102,7 @@ private:
     this->Mesh.patch.resize(Index(quads));
     for (int point = 0; point < this->Points.Count(); ++point)
     {
-      this->PointNumbers.push_back(this->Numbers[Index(this->Classes.Find(point))]);
+      this->PointNumbers.push_back(this->Numbers[this->Classes.Find(point)]);
     }
     const std::size_t parts = PartCount(quads, MinimumBuilt);
     const auto firstOf = [&](int quad)
@@ -127,7 +127,7 @@ private:
   /// Returns the point at a distance along a half-edge.
   ArcPosition FindOn(int half, double within) const
   {
-    const TArc& arc = this->Separatrices.arcs[Index(half / 2)];
+    const TArc& arc = this->Separatrices.arcs[half / 2];
     return FindOnArc(arc, half % 2 == 0 ? within : arc.length - within);
   }
 
@@ -157,15 +157,15 @@ private:
   void AddCandidate(int point, const QuadPoint& candidate)
   {
     const int representative = this->Classes.Find(point);
-    int& number = this->Numbers[Index(representative)];
+    int& number = this->Numbers[representative];
     if (number < 0)
     {
       number = static_cast<int>(this->Mesh.points.size());
       this->Mesh.points.push_back(candidate);
     }
-    else if (this->RankOf(candidate) > this->RankOf(this->Mesh.points[Index(number)]))
+    else if (this->RankOf(candidate) > this->RankOf(this->Mesh.points[number]))
     {
-      this->Mesh.points[Index(number)] = candidate;
+      this->Mesh.points[number] = candidate;
     }
   }
 
@@ -202,18 +202,18 @@ private:
       point.place = this->Map.PlaceOf(place.triangle, place.w).head<2>();
     }
     const bool node = j == 0 || j == count;
-    const int cone = node ? this->Separatrices.nodes[Index(number)].cone : -1;
+    const int cone = node ? this->Separatrices.nodes[number].cone : -1;
     // A corner takes its position from a boundary arc, whose points have a location on the
     // boundary.
-    const bool isCone = cone >= 0 && (arc.onBoundary || !this->Map.cones[Index(cone)].onBoundary);
+    const bool isCone = cone >= 0 && (arc.onBoundary || !this->Map.cones[cone].onBoundary);
     if (isCone)
     {
       point.cone = cone;
-      point.quarterIndex = this->Map.cones[Index(cone)].quarterIndex;
+      point.quarterIndex = this->Map.cones[cone].quarterIndex;
     }
-    if (isCone || (node && arc.onBoundary && this->Separatrices.nodes[Index(number)].isFixed))
+    if (isCone || (node && arc.onBoundary && this->Separatrices.nodes[number].isFixed))
     {
-      point.place = this->Separatrices.nodes[Index(number)].place.head<2>();
+      point.place = this->Separatrices.nodes[number].place.head<2>();
       point.fixed = true;
     }
     return point;
@@ -226,8 +226,8 @@ private:
     double start = 0.0;
     for (const int half : patch.sides[side])
     {
-      const double length = this->Separatrices.arcs[Index(half / 2)].length;
-      const int count = this->Counts[Index(half / 2)];
+      const double length = this->Separatrices.arcs[half / 2].length;
+      const int count = this->Counts[half / 2];
       for (int j = points.empty() ? 0 : 1; j <= count && count > 0; ++j)
       {
         const double within = length * j / count;
@@ -270,20 +270,20 @@ private:
     const std::vector<SidePoint> fourth = this->SideOf(patch, 3);
     const auto set = [&](int i, int j, const SidePoint& point, const Point& position)
     {
-      lattice.points[lattice.At(i, j)] = this->PointNumbers[Index(point.point)];
+      lattice.points[lattice.At(i, j)] = this->PointNumbers[point.point];
       lattice.positions[lattice.At(i, j)] = position;
     };
     for (int i = 0; i <= a; ++i)
     {
-      const SidePoint& low = first[Index(i)];
-      const SidePoint& high = third[Index(a - i)];
+      const SidePoint& low = first[i];
+      const SidePoint& high = third[a - i];
       set(i, 0, low, { low.along, 0.0 });
       set(i, b, high, { width - high.along, height });
     }
     for (int j = 0; j <= b; ++j)
     {
-      const SidePoint& right = second[Index(j)];
-      const SidePoint& left = fourth[Index(b - j)];
+      const SidePoint& right = second[j];
+      const SidePoint& left = fourth[b - j];
       set(a, j, right, { width, right.along });
       set(0, j, left, { 0.0, height - left.along });
     }
@@ -299,7 +299,7 @@ private:
     for (int i = 1; i < a; ++i)
     {
       const double s = static_cast<double>(i) / a;
-      ChartPlace place = this->PlaceOn(first[Index(i)].half, first[Index(i)].within);
+      ChartPlace place = this->PlaceOn(first[i].half, first[i].within);
       for (int j = 1; j < b; ++j)
       {
         const double t = static_cast<double>(j) / b;
@@ -313,7 +313,7 @@ private:
         point.place = this->Map.PlaceOf(place.triangle, place.w).head<2>();
         point.scale = PlaneScale(this->Map, place.triangle);
         lattice.points[lattice.At(i, j)] = next;
-        this->Mesh.points[Index(next++)] = point;
+        this->Mesh.points[next++] = point;
       }
     }
   }
@@ -336,24 +336,22 @@ private:
         {
           quad[k] = lattice.points[c[k]];
           p[k] = lattice.positions[c[k]];
-          scale += 0.25 * this->Mesh.points[Index(quad[k])].scale;
+          scale += 0.25 * this->Mesh.points[quad[k]].scale;
         }
         const double wide = 0.5 * (p[1].x() - p[0].x() + p[2].x() - p[3].x());
         const double high = 0.5 * (p[3].y() - p[0].y() + p[2].y() - p[1].y());
-        this->Mesh.quads[Index(next)] = quad;
+        this->Mesh.quads[next] = quad;
         double longest = 0.0;
         for (std::size_t k = 0; k < 4; ++k)
         {
           longest = std::max(longest,
-            (this->Mesh.points[Index(quad[k])].place -
-              this->Mesh.points[Index(quad[(k + 1) % 4])].place)
-              .norm());
+            (this->Mesh.points[quad[k]].place - this->Mesh.points[quad[(k + 1) % 4]].place).norm());
         }
         // Where the map changes size within a quad, e^H at its corners says little.
         const auto limited = [&](double length)
         { return std::clamp(scale * std::max(minimum, length), 0.25 * longest, 2.0 * longest); };
-        this->Mesh.targetLengths[Index(next)] = { limited(wide), limited(high) };
-        this->Mesh.patch[Index(next)] = patch;
+        this->Mesh.targetLengths[next] = { limited(wide), limited(high) };
+        this->Mesh.patch[next] = patch;
       }
     }
   }
@@ -372,7 +370,7 @@ private:
       {
         const auto half = static_cast<int>(2 * a);
         const auto number = [this, half](int k)
-        { return this->PointNumbers[Index(this->Points.At(half, k))]; };
+        { return this->PointNumbers[this->Points.At(half, k)]; };
         this->Mesh.boundary.push_back({ { number(j), number(j + 1) }, edge.kind, edge.id });
       }
     }

@@ -1,7 +1,6 @@
 #include "QuadNodes.h"
 
 #include "Error.h"
-#include "Index.h"
 
 #include <string>
 
@@ -13,7 +12,7 @@ void CountValences(const MeshTopology& topology, QuadMesh& mesh)
   {
     for (const int point : quad)
     {
-      ++mesh.points[Index(point)].valence;
+      ++mesh.points[point].valence;
     }
   }
   if (mesh.EulerCharacteristic() != topology.edges.EulerCharacteristic(topology.mesh))

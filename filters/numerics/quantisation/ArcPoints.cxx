@@ -1,7 +1,5 @@
 #include "ArcPoints.h"
 
-#include "Index.h"
-
 namespace crossfield
 {
 ArcPoints::ArcPoints(const TMesh& mesh, const std::vector<int>& counts)
@@ -18,16 +16,16 @@ ArcPoints::ArcPoints(const TMesh& mesh, const std::vector<int>& counts)
 
 int ArcPoints::At(int halfEdge, int j) const
 {
-  const int count = this->Counts[Index(halfEdge / 2)];
+  const int count = this->Counts[halfEdge / 2];
   if (j == 0)
   {
-    return this->Mesh.halfEdges[Index(halfEdge)].node;
+    return this->Mesh.halfEdges[halfEdge].node;
   }
   if (j == count)
   {
-    return this->Mesh.halfEdges[Index(TMesh::Twin(halfEdge))].node;
+    return this->Mesh.halfEdges[TMesh::Twin(halfEdge)].node;
   }
-  return this->Offsets[Index(halfEdge / 2)] + (halfEdge % 2 == 0 ? j : count - j) - 1;
+  return this->Offsets[halfEdge / 2] + (halfEdge % 2 == 0 ? j : count - j) - 1;
 }
 
 int ArcPoints::SideCount(const TPatch& patch, std::size_t side) const
@@ -35,17 +33,17 @@ int ArcPoints::SideCount(const TPatch& patch, std::size_t side) const
   int count = 0;
   for (const int half : patch.sides[side])
   {
-    count += this->Counts[Index(half / 2)];
+    count += this->Counts[half / 2];
   }
   return count;
 }
 
 std::vector<int> ArcPoints::AlongSide(const TPatch& patch, std::size_t side) const
 {
-  std::vector<int> points = { this->Mesh.halfEdges[Index(patch.sides[side].front())].node };
+  std::vector<int> points = { this->Mesh.halfEdges[patch.sides[side].front()].node };
   for (const int half : patch.sides[side])
   {
-    for (int j = 1; j <= this->Counts[Index(half / 2)]; ++j)
+    for (int j = 1; j <= this->Counts[half / 2]; ++j)
     {
       points.push_back(this->At(half, j));
     }

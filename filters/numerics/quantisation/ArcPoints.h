@@ -24,7 +24,7 @@ public:
 
   int Count() const { return this->Total; }
   /// Returns the number of edges along a half-edge.
-  int CountOf(int halfEdge) const { return this->Counts[static_cast<std::size_t>(halfEdge / 2)]; }
+  int CountOf(int halfEdge) const { return this->Counts[halfEdge / 2]; }
   /// Returns the j-th point along a half-edge, 0 ≤ j ≤ n_a.
   int At(int halfEdge, int j) const;
   /// Returns the points along a side of a patch, one more than it has edges.

@@ -1,7 +1,5 @@
 #include "BranchAndCut.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -183,7 +181,7 @@ private:
     const double cost = this->Program.GetCost();
     if (this->Present.arc >= 0)
     {
-      PseudoCost& observed = this->PseudoCosts[this->Present.up][Index(this->Present.arc)];
+      PseudoCost& observed = this->PseudoCosts[this->Present.up][this->Present.arc];
       observed.sum += std::max(0.0, cost - this->Present.bound) / this->Present.step;
       ++observed.count;
     }
@@ -262,9 +260,9 @@ private:
   /// there is one.
   double ExpectedIncrease(int arc, std::size_t up) const
   {
-    const PseudoCost& observed = this->PseudoCosts[up][Index(arc)];
+    const PseudoCost& observed = this->PseudoCosts[up][arc];
     return this->StepTo(arc, up) *
-      (observed.count > 0 ? observed.sum / observed.count : this->Problem.weight[Index(arc)]);
+      (observed.count > 0 ? observed.sum / observed.count : this->Problem.weight[arc]);
   }
 
   /// Returns the fractional arc with the largest product of both expected increases (Achterberg,

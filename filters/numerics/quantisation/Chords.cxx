@@ -50,10 +50,10 @@ Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
     std::vector<int> edges;
     for (const int half : patch.sides[side])
     {
-      const int count = this->Coarse[Index(half / 2)];
+      const int count = this->Coarse[half / 2];
       for (int j = 0; j < count; ++j)
       {
-        edges.push_back(first[Index(half / 2)] + (half % 2 == 0 ? j : count - 1 - j));
+        edges.push_back(first[half / 2] + (half % 2 == 0 ? j : count - 1 - j));
       }
     }
     return edges;
@@ -77,7 +77,7 @@ Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
     this->OfArc.emplace_back();
     for (int edge = first[a]; edge < first[a + 1]; ++edge)
     {
-      int& chord = number[Index(classes.Find(edge))];
+      int& chord = number[classes.Find(edge)];
       chord = chord < 0 ? this->Total++ : chord;
       this->OfArc.back().push_back(chord);
     }
@@ -92,8 +92,8 @@ std::vector<int> Chords::Numbers(const QuantisationProblem& problem) const
   {
     for (const int chord : this->OfArc[a])
     {
-      target[Index(chord)] += problem.weight[a] * problem.target[a] / this->Coarse[a];
-      weight[Index(chord)] += problem.weight[a];
+      target[chord] += problem.weight[a] * problem.target[a] / this->Coarse[a];
+      weight[chord] += problem.weight[a];
     }
   }
   QuantisationProblem ofChords;
@@ -115,7 +115,7 @@ std::vector<int> Chords::Numbers(const QuantisationProblem& problem) const
     std::map<int, int> factors;
     for (const auto& [arc, factor] : sum.terms)
     {
-      for (const int chord : this->OfArc[Index(arc)])
+      for (const int chord : this->OfArc[arc])
       {
         factors[chord] += factor;
       }
@@ -135,7 +135,7 @@ std::vector<int> Chords::Refine(const QuantisationProblem& problem) const
     int count = 0;
     for (const int chord : this->OfArc[a])
     {
-      count += numbers[Index(chord)];
+      count += numbers[chord];
     }
     counts.push_back(count);
   }

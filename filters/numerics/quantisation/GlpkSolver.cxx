@@ -175,8 +175,8 @@ public:
     entries.values.clear();
     for (int i = 1; i <= length; ++i)
     {
-      entries.columns.push_back(this->Indices[Index(i)] - 1);
-      entries.values.push_back(this->Values[Index(i)]);
+      entries.columns.push_back(this->Indices[i] - 1);
+      entries.values.push_back(this->Values[i]);
     }
     entries.rhs = glp_get_row_lb(this->Program.get(), row + 1);
   }
@@ -195,9 +195,9 @@ public:
     entries.clear();
     for (int i = 1; i <= length; ++i)
     {
-      const int k = this->Indices[Index(i)];
+      const int k = this->Indices[i];
       const bool isRow = k <= rows;
-      entries.push_back({ isRow, (isRow ? k : k - rows) - 1, this->Values[Index(i)] });
+      entries.push_back({ isRow, (isRow ? k : k - rows) - 1, this->Values[i] });
     }
   }
 

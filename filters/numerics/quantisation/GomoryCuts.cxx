@@ -48,7 +48,7 @@ private:
       return;
     }
     const bool isLow = status == BasisStatus::AtLower;
-    const bool isIntegral = !entry.isRow || this->IsCut[Index(entry.index)] == 0;
+    const bool isIntegral = !entry.isRow || this->IsCut[entry.index] == 0;
     double coefficient = CutCoefficient(isLow ? -entry.factor : entry.factor, fraction, isIntegral);
     if (!isLow)
     {
@@ -64,14 +64,14 @@ private:
     {
       const VariableBounds bounds = this->Program.GetBounds(entry.index);
       this->Rhs += coefficient * (isLow ? bounds.lower : bounds.upper);
-      this->Sums[Index(entry.index)] += coefficient;
+      this->Sums[entry.index] += coefficient;
       return;
     }
     this->Program.GetRow(entry.index, this->Row);
     this->Rhs += coefficient * this->Row.rhs;
     for (std::size_t i = 0; i < this->Row.columns.size(); ++i)
     {
-      this->Sums[Index(this->Row.columns[i])] += coefficient * this->Row.values[i];
+      this->Sums[this->Row.columns[i]] += coefficient * this->Row.values[i];
     }
   }
 
@@ -102,7 +102,7 @@ private:
     {
       // A large range of coefficients makes the simplex method inaccurate.
       constexpr double SmallestRatio = 1e-4;
-      const double sum = this->Sums[Index(column)];
+      const double sum = this->Sums[column];
       if (sum == 0.0)
       {
         continue;

@@ -2,7 +2,6 @@
 
 #include "BidirectedFlow.h"
 #include "Error.h"
-#include "Index.h"
 #include "PrescribedSums.h"
 #include "Separation.h"
 #include "Stopwatch.h"
@@ -38,7 +37,7 @@ std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
   {
     for (const int arc : loop.arcs)
     {
-      problem.lower[Index(arc)] = MinimumLoop;
+      problem.lower[arc] = MinimumLoop;
     }
   }
   return shortLoops.empty() ? counts : SolveBidirectedFlow(problem).counts;
@@ -161,7 +160,7 @@ private:
         {
           // Far above the accuracy of the simplex method.
           constexpr double Same = 1e-6;
-          return std::abs(relaxed[Index(arc)] - best.counts[Index(arc)]) > Same;
+          return std::abs(relaxed[arc] - best.counts[arc]) > Same;
         });
       isImproved = !free.empty() &&
         ReplaceIfCheaper(

@@ -15,7 +15,7 @@ bool CountSum::Holds(const std::vector<int>& counts) const
   int sum = 0;
   for (const auto& [arc, factor] : this->terms)
   {
-    sum += factor * counts[Index(arc)];
+    sum += factor * counts[arc];
   }
   return sum >= this->minimum && sum <= this->maximum;
 }
@@ -52,7 +52,7 @@ bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
     }
     for (const EquationTerm& term : this->terms[a])
     {
-      totals[Index(term.equation)] += term.sign * counts[a];
+      totals[term.equation] += term.sign * counts[a];
     }
   }
   return this->HoldsSums(counts) &&
@@ -73,7 +73,7 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
     {
       for (const int half : patch.sides[side])
       {
-        lengths[side] += problem.target[Index(half / 2)];
+        lengths[side] += problem.target[half / 2];
       }
     }
     for (std::size_t side = 0; side < 4; ++side)
@@ -115,7 +115,7 @@ QuantisationProblem WithSumsAsEquations(QuantisationProblem problem)
     return sum.minimum == 0 && sum.maximum == 0 &&
       std::all_of(sum.terms.begin(), sum.terms.end(),
         [&problem](const std::pair<int, int>& term)
-        { return std::abs(term.second) == 1 && problem.terms[Index(term.first)].size() < 2; });
+        { return std::abs(term.second) == 1 && problem.terms[term.first].size() < 2; });
   };
   std::vector<CountSum> others;
   for (CountSum& sum : problem.sums)
@@ -127,7 +127,7 @@ QuantisationProblem WithSumsAsEquations(QuantisationProblem problem)
     }
     for (const auto& [arc, sign] : sum.terms)
     {
-      problem.terms[Index(arc)].push_back({ problem.equations, sign });
+      problem.terms[arc].push_back({ problem.equations, sign });
     }
     ++problem.equations;
   }

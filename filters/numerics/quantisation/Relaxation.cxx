@@ -31,14 +31,14 @@ Relaxation::Relaxation(
 
 bool Relaxation::IsFree(int arc) const
 {
-  return this->FirstColumn[Index(arc)] != NotFree;
+  return this->FirstColumn[arc] != NotFree;
 }
 
 void Relaxation::AddColumns()
 {
   for (std::size_t i = 0; i < this->Free.size(); ++i)
   {
-    this->FirstColumn[Index(this->Free[i])] = 3 * static_cast<int>(i);
+    this->FirstColumn[this->Free[i]] = 3 * static_cast<int>(i);
   }
   for (const double target : this->Problem.target)
   {
@@ -54,9 +54,9 @@ void Relaxation::AddColumns()
   }
   for (const int arc : this->Free)
   {
-    const double weight = this->Problem.weight[Index(arc)];
-    const int below = this->Floors[Index(arc)];
-    const double fraction = this->Problem.target[Index(arc)] - below;
+    const double weight = this->Problem.weight[arc];
+    const int below = this->Floors[arc];
+    const double fraction = this->Problem.target[arc] - below;
     constant += weight * fraction;
     this->AddColumn(weight, below);
     this->AddColumn(weight * (1.0 - 2.0 * fraction), 1);
@@ -77,9 +77,9 @@ void Relaxation::AddEquations()
   std::vector<Terms> equations(Index(this->Problem.equations));
   for (const int arc : this->Free)
   {
-    for (const EquationTerm& term : this->Problem.terms[Index(arc)])
+    for (const EquationTerm& term : this->Problem.terms[arc])
     {
-      equations[Index(term.equation)].emplace_back(arc, term.sign);
+      equations[term.equation].emplace_back(arc, term.sign);
     }
   }
   std::vector<int> fixedSums(equations.size(), 0);
@@ -89,7 +89,7 @@ void Relaxation::AddEquations()
     {
       for (const EquationTerm& term : this->Problem.terms[a])
       {
-        fixedSums[Index(term.equation)] += term.sign * this->Counts[a];
+        fixedSums[term.equation] += term.sign * this->Counts[a];
       }
     }
   }
@@ -135,10 +135,10 @@ void Relaxation::AddRow(const Terms& terms, RowKind kind, int rhs)
   {
     if (!this->IsFree(arc))
     {
-      row.rhs -= factor * this->Counts[Index(arc)];
+      row.rhs -= factor * this->Counts[arc];
       continue;
     }
-    const int first = this->FirstColumn[Index(arc)];
+    const int first = this->FirstColumn[arc];
     const auto value = static_cast<double>(factor);
     for (const auto& [column, sign] :
       { std::pair(first, -1.0), std::pair(first + 1, 1.0), std::pair(first + 2, 1.0) })
@@ -146,7 +146,7 @@ void Relaxation::AddRow(const Terms& terms, RowKind kind, int rhs)
       row.columns.push_back(column);
       row.values.push_back(sign * value);
     }
-    row.rhs -= value * this->Floors[Index(arc)];
+    row.rhs -= value * this->Floors[arc];
   }
   this->Solver->AddRow(row, kind);
   this->IsCut.push_back(0);
@@ -161,11 +161,11 @@ double Relaxation::GetCount(int arc) const
 {
   if (!this->IsFree(arc))
   {
-    return this->Counts[Index(arc)];
+    return this->Counts[arc];
   }
-  const int first = this->FirstColumn[Index(arc)];
-  return this->Floors[Index(arc)] - this->Solver->GetValue(first) +
-    this->Solver->GetValue(first + 1) + this->Solver->GetValue(first + 2);
+  const int first = this->FirstColumn[arc];
+  return this->Floors[arc] - this->Solver->GetValue(first) + this->Solver->GetValue(first + 1) +
+    this->Solver->GetValue(first + 2);
 }
 
 bool Relaxation::IsIntegral(int arc) const
@@ -182,7 +182,7 @@ std::vector<int> Relaxation::GetRoundedCounts() const
   counts.resize(this->Problem.Count());
   for (const int arc : this->Free)
   {
-    counts[Index(arc)] = static_cast<int>(std::lround(this->GetCount(arc)));
+    counts[arc] = static_cast<int>(std::lround(this->GetCount(arc)));
   }
   return counts;
 }
@@ -193,7 +193,7 @@ void Relaxation::RemoveLooseCuts()
   std::vector<char> kept;
   for (int row = 0; row < this->Solver->CountRows(); ++row)
   {
-    const char isCut = this->IsCut[Index(row)];
+    const char isCut = this->IsCut[row];
     if (isCut != 0 && this->Solver->GetRowStatus(row) == BasisStatus::Basic)
     {
       loose.push_back(row);
@@ -254,8 +254,8 @@ void Relaxation::TightenBounds()
 
 std::vector<ColumnBounds> Relaxation::AtMost(int arc, int maximum) const
 {
-  const int first = this->FirstColumn[Index(arc)];
-  const int more = maximum - this->Floors[Index(arc)];
+  const int first = this->FirstColumn[arc];
+  const int more = maximum - this->Floors[arc];
   if (more <= 0)
   {
     return { { first, -more, NoBound }, { first + 1, 0, 0 }, { first + 2, 0, 0 } };
@@ -265,8 +265,8 @@ std::vector<ColumnBounds> Relaxation::AtMost(int arc, int maximum) const
 
 std::vector<ColumnBounds> Relaxation::AtLeast(int arc, int minimum) const
 {
-  const int first = this->FirstColumn[Index(arc)];
-  const int more = minimum - this->Floors[Index(arc)];
+  const int first = this->FirstColumn[arc];
+  const int more = minimum - this->Floors[arc];
   if (more <= 0)
   {
     return { { first, 0, -more } };
@@ -285,7 +285,7 @@ void Relaxation::SetNodeBounds(const std::vector<ColumnBounds>& bounds)
 {
   for (const int column : this->Narrowed)
   {
-    this->SetBounds(this->RootBounds[Index(column)]);
+    this->SetBounds(this->RootBounds[column]);
   }
   this->Narrowed.clear();
   for (const ColumnBounds& narrower : bounds)
@@ -318,12 +318,12 @@ void Relaxation::SetBasis(const SimplexBasis& basis)
 {
   for (int column = 0; column < this->Solver->CountColumns(); ++column)
   {
-    this->Solver->SetColumnStatus(column, basis.columns[Index(column)]);
+    this->Solver->SetColumnStatus(column, basis.columns[column]);
   }
   for (int row = 0; row < this->Solver->CountRows(); ++row)
   {
     this->Solver->SetRowStatus(
-      row, Index(row) < basis.rows.size() ? basis.rows[Index(row)] : BasisStatus::Basic);
+      row, Index(row) < basis.rows.size() ? basis.rows[row] : BasisStatus::Basic);
   }
 }
 }

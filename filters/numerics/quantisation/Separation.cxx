@@ -27,8 +27,8 @@ public:
     {
       const PointLink& link = this->Links[l];
       this->Classes.Join(link.from, link.to);
-      this->LinksAt[Index(link.from)].push_back(l);
-      this->LinksAt[Index(link.to)].push_back(l);
+      this->LinksAt[link.from].push_back(l);
+      this->LinksAt[link.to].push_back(l);
     }
     for (std::size_t a = 0; a < counts.size(); ++a)
     {
@@ -37,7 +37,7 @@ public:
         const auto half = static_cast<int>(2 * a);
         for (int j = 0; j <= counts[a]; ++j)
         {
-          this->OnBoundary[Index(this->Points.At(half, j))] = true;
+          this->OnBoundary[this->Points.At(half, j)] = true;
         }
         if (counts[a] == 0)
         {
@@ -52,7 +52,7 @@ public:
     std::map<int, std::vector<int>> terminals;
     for (int p = 0; p < this->Points.Count(); ++p)
     {
-      if (this->IsDistinct(p) || this->OnBoundary[Index(p)])
+      if (this->IsDistinct(p) || this->OnBoundary[p])
       {
         terminals[this->Classes.Find(p)].push_back(p);
       }
@@ -76,14 +76,14 @@ public:
 private:
   bool IsDistinct(int p) const
   {
-    return p < static_cast<int>(this->Mesh.nodes.size()) && this->Mesh.nodes[Index(p)].IsDistinct();
+    return p < static_cast<int>(this->Mesh.nodes.size()) && this->Mesh.nodes[p].IsDistinct();
   }
 
   /// Returns whether two coincident points must be apart.
   bool Conflict(int a, int b)
   {
     const bool both = this->IsDistinct(a) && this->IsDistinct(b);
-    const bool terminal = this->IsDistinct(b) || this->OnBoundary[Index(b)];
+    const bool terminal = this->IsDistinct(b) || this->OnBoundary[b];
     return a != b && terminal && (both || this->Sides.Find(a) != this->Sides.Find(b));
   }
 
@@ -113,7 +113,7 @@ private:
         std::reverse(violation.path.begin(), violation.path.end());
         break;
       }
-      for (const std::size_t l : this->LinksAt[Index(p)])
+      for (const std::size_t l : this->LinksAt[p])
       {
         const int other = this->Links[l].from == p ? this->Links[l].to : this->Links[l].from;
         if (other != start && via.emplace(other, l).second)
@@ -135,7 +135,7 @@ private:
       arcs.push_back(link.arc);
       return;
     }
-    const TPatch& patch = this->Mesh.patches[Index(link.patch)];
+    const TPatch& patch = this->Mesh.patches[link.patch];
     for (const std::size_t side : { Index(link.side), Index(link.side) + 2 })
     {
       for (const int half : patch.sides[side])

@@ -65,23 +65,23 @@ private:
   bool IsDistinct(int point) const
   {
     return point < static_cast<int>(this->Mesh.nodes.size()) &&
-      this->Mesh.nodes[Index(point)].IsDistinct();
+      this->Mesh.nodes[point].IsDistinct();
   }
 
   LinkEnds EndsOf(const PointLink& link) const
   {
     if (link.arc >= 0)
     {
-      const bool inner = this->Mesh.halfEdges[Index(2 * link.arc)].patch >= 0;
+      const bool inner = this->Mesh.halfEdges[2 * link.arc].patch >= 0;
       const int half = 2 * link.arc + (inner ? 0 : 1);
       LinkEnds ends = { { half, false }, { this->Unfolded.Next(half), false } };
-      if (this->Mesh.halfEdges[Index(half)].node != link.from)
+      if (this->Mesh.halfEdges[half].node != link.from)
       {
         std::swap(ends.from, ends.to);
       }
       return ends;
     }
-    const TPatch& patch = this->Mesh.patches[Index(link.patch)];
+    const TPatch& patch = this->Mesh.patches[link.patch];
     const std::size_t one = Index(link.side) + 1;
     const std::size_t other = (one + 2) % 4;
     const LinkEnds forward = { this->PointOnSide(patch, one, link.from),
@@ -97,13 +97,13 @@ private:
   {
     for (const int half : patch.sides[side])
     {
-      if (this->Mesh.halfEdges[Index(half)].node == point)
+      if (this->Mesh.halfEdges[half].node == point)
       {
         return { half, false };
       }
     }
     const int last = patch.sides[side].back();
-    if (this->Mesh.halfEdges[Index(TMesh::Twin(last))].node == point)
+    if (this->Mesh.halfEdges[TMesh::Twin(last)].node == point)
     {
       return { this->Unfolded.Next(last), false };
     }
@@ -134,9 +134,9 @@ private:
       const auto count = static_cast<int>(this->Mesh.halfEdges.size());
       boundary.half = 0;
       while (boundary.half < count &&
-        (this->Mesh.halfEdges[Index(boundary.half)].node != point ||
-          this->Mesh.halfEdges[Index(boundary.half)].patch < 0 ||
-          !this->Mesh.arcs[Index(boundary.half / 2)].onBoundary))
+        (this->Mesh.halfEdges[boundary.half].node != point ||
+          this->Mesh.halfEdges[boundary.half].patch < 0 ||
+          !this->Mesh.arcs[boundary.half / 2].onBoundary))
       {
         ++boundary.half;
       }
@@ -163,7 +163,7 @@ bool SeparationRow::Holds(const std::vector<int>& counts) const
   int sum = 0;
   for (const auto& [arc, factor] : this->terms)
   {
-    sum += factor * counts[Index(arc)];
+    sum += factor * counts[arc];
   }
   return sum >= this->minimum;
 }

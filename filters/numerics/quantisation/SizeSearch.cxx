@@ -24,7 +24,7 @@ long long CountQuads(const TMesh& mesh, const std::vector<int>& counts)
     {
       for (const int half : patch.sides[side])
       {
-        sides[side] += counts[static_cast<std::size_t>(half / 2)];
+        sides[side] += counts[half / 2];
       }
     }
     quads += sides[0] * sides[1];

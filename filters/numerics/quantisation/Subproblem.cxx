@@ -1,7 +1,6 @@
 #include "Subproblem.h"
 
 #include "BranchAndCut.h"
-#include "Index.h"
 #include "Separation.h"
 
 #include <algorithm>
@@ -16,14 +15,14 @@ EdgeCounts SolveSubproblem(const TMesh& mesh, const QuantisationProblem& problem
   std::vector<char> isFree(problem.Count(), 0);
   for (const int arc : free)
   {
-    isFree[Index(arc)] = 1;
+    isFree[arc] = 1;
   }
   BranchAndCut search(problem, free, best.counts);
   for (const SeparationRow& row : rows)
   {
     if (row.Holds(best.counts) &&
       std::any_of(row.terms.begin(), row.terms.end(),
-        [&isFree](const auto& term) { return isFree[Index(term.first)] != 0; }))
+        [&isFree](const auto& term) { return isFree[term.first] != 0; }))
     {
       search.AddRow(row);
     }

@@ -1,7 +1,5 @@
 #include "Unfolding.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +11,7 @@ std::array<int, 2> Direction(int turns)
 {
   constexpr std::array<std::array<int, 2>, 4> Directions = { { { 1, 0 }, { 0, 1 }, { -1, 0 },
     { 0, -1 } } };
-  return Directions[Index(turns % 4)];
+  return Directions[turns % 4];
 }
 }
 
@@ -45,7 +43,7 @@ Unfolding::Unfolding(const TMesh& mesh)
     {
       for (std::size_t i = 0; i < patch.sides[side].size(); ++i)
       {
-        Place& place = this->Places[Index(patch.sides[side][i])];
+        Place& place = this->Places[patch.sides[side][i]];
         place.side = side;
         place.index = i;
       }
@@ -55,7 +53,7 @@ Unfolding::Unfolding(const TMesh& mesh)
   {
     if (mesh.halfEdges[h].patch >= 0)
     {
-      this->Places[Index(mesh.halfEdges[h].next)].previous = static_cast<int>(h);
+      this->Places[mesh.halfEdges[h].next].previous = static_cast<int>(h);
     }
   }
 }
@@ -70,7 +68,7 @@ void Unfolding::Begin(const PatchPoint& point)
 ArcVector Unfolding::StartOf(int half) const
 {
   const Place& place = this->PlaceOf(half);
-  const TPatch& patch = this->Mesh.patches[Index(this->PatchOf(half))];
+  const TPatch& patch = this->Mesh.patches[this->PatchOf(half)];
   ArcVector start = this->Origin;
   const auto walk = [&](std::size_t side, std::size_t count, int turns)
   {

@@ -22,7 +22,7 @@ public:
     double sum = 0.0;
     for (const auto& [arc, factor] : this->Factors)
     {
-      sum += factor[axis] * static_cast<double>(values[static_cast<std::size_t>(arc)]);
+      sum += factor[axis] * static_cast<double>(values[arc]);
     }
     return sum;
   }
@@ -58,7 +58,7 @@ public:
   std::size_t AxisOf(int half) const { return static_cast<std::size_t>(this->TurnsOf(half) % 2); }
 
   /// Returns the next half-edge around the patch.
-  int Next(int half) const { return this->Mesh.halfEdges[static_cast<std::size_t>(half)].next; }
+  int Next(int half) const { return this->Mesh.halfEdges[half].next; }
 
 private:
   /// The position of a half-edge in its patch.
@@ -69,8 +69,8 @@ private:
     int previous = -1; ///< The half-edge before it around the patch.
   };
 
-  int PatchOf(int half) const { return this->Mesh.halfEdges[static_cast<std::size_t>(half)].patch; }
-  const Place& PlaceOf(int half) const { return this->Places[static_cast<std::size_t>(half)]; }
+  int PatchOf(int half) const { return this->Mesh.halfEdges[half].patch; }
+  const Place& PlaceOf(int half) const { return this->Places[half]; }
   int TurnsOf(int half) const
   {
     return (this->Turns + static_cast<int>(this->PlaceOf(half).side)) % 4;

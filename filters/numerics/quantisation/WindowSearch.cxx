@@ -49,23 +49,23 @@ public:
     std::vector<char> taken(this->Mesh.arcs.size(), 0);
     Window window;
     window.patches = { patch };
-    seen[Index(patch)] = 1;
+    seen[patch] = 1;
     std::size_t next = 0;
     for (; next < window.patches.size() && window.arcs.size() < size; ++next)
     {
-      for (const int arc : this->ArcsOf[Index(window.patches[next])])
+      for (const int arc : this->ArcsOf[window.patches[next]])
       {
-        if (taken[Index(arc)] == 0)
+        if (taken[arc] == 0)
         {
-          taken[Index(arc)] = 1;
+          taken[arc] = 1;
           window.arcs.push_back(arc);
         }
         for (const int half : { 2 * arc, 2 * arc + 1 })
         {
-          const int other = this->Mesh.halfEdges[Index(half)].patch;
-          if (other >= 0 && seen[Index(other)] == 0)
+          const int other = this->Mesh.halfEdges[half].patch;
+          if (other >= 0 && seen[other] == 0)
           {
-            seen[Index(other)] = 1;
+            seen[other] = 1;
             window.patches.push_back(other);
           }
         }
@@ -87,26 +87,25 @@ public:
       excess.push_back(std::accumulate(arcs.begin(), arcs.end(), 0.0,
         [&](double sum, int arc)
         {
-          const auto nearest = static_cast<int>(std::lround(problem.target[Index(arc)]));
-          return sum + problem.Cost(Index(arc), counts[Index(arc)]) -
-            problem.Cost(Index(arc), nearest);
+          const auto nearest = static_cast<int>(std::lround(problem.target[arc]));
+          return sum + problem.Cost(Index(arc), counts[arc]) - problem.Cost(Index(arc), nearest);
         }));
     }
     std::vector<int> order(this->ArcsOf.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-      [&](int a, int b) { return excess[Index(a)] > excess[Index(b)]; });
+    std::stable_sort(
+      order.begin(), order.end(), [&](int a, int b) { return excess[a] > excess[b]; });
     std::vector<char> covered(order.size(), 0);
     std::vector<Window> windows;
     for (const int patch : order)
     {
-      if (covered[Index(patch)] == 0)
+      if (covered[patch] == 0)
       {
         windows.push_back(this->Around(patch, size));
         const std::vector<int>& patches = windows.back().patches;
         for (std::size_t i = 0; i < (patches.size() + 3) / 4; ++i)
         {
-          covered[Index(patches[i])] = 1;
+          covered[patches[i]] = 1;
         }
       }
     }

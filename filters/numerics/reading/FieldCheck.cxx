@@ -15,7 +15,7 @@ std::vector<bool> MarkCounted(const PlanarTopology& topology, const PoincareHopf
   std::vector<bool> counted(topology.mesh.points.size(), false);
   for (const CountedCorner& corner : count.corners)
   {
-    counted[static_cast<std::size_t>(topology.VertexOf(corner))] = true;
+    counted[topology.VertexOf(corner)] = true;
   }
   return counted;
 }
@@ -138,7 +138,7 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
   {
     for (const int vertex : loop)
     {
-      check.interiorQuarters -= indices.ofVertex[static_cast<std::size_t>(vertex)];
+      check.interiorQuarters -= indices.ofVertex[vertex];
     }
   }
 

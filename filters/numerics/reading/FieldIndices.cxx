@@ -51,14 +51,14 @@ FieldIndices ReadIndices(const PlanarTopology& topology, const ComplexVector& u)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      around[static_cast<std::size_t>(mesh.triangles[t][(i + 1) % 3])] -= steps[t][i];
+      around[mesh.triangles[t][(i + 1) % 3]] -= steps[t][i];
     }
   }
 
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
     const BoundaryEdge& after = mesh.boundary[i];
-    double& here = around[static_cast<std::size_t>(after.vertices[0])];
+    double& here = around[after.vertices[0]];
     here += after.IsAligned()
       ? 4.0 * topology.turning[static_cast<Eigen::Index>(i)]
       : -WrappedStep(u[edges.ofBoundary[i]], u[topology.EdgeOfBoundary(topology.previous[i])]);
@@ -75,9 +75,9 @@ void MergeAtVertices(
   {
     for (int vertex : mesh.triangles[t])
     {
-      if (marked[static_cast<std::size_t>(vertex)])
+      if (marked[vertex])
       {
-        indices.ofVertex[static_cast<std::size_t>(vertex)] += indices.ofTriangle[t];
+        indices.ofVertex[vertex] += indices.ofTriangle[t];
         indices.ofTriangle[t] = 0;
       }
     }

@@ -34,7 +34,7 @@ std::vector<VertexRole> FindRoles(
     const BoundaryEdge& edge = topology.mesh.boundary[i];
     if (edge.IsAligned())
     {
-      VertexRole& role = roles[static_cast<std::size_t>(edge.vertices[0])];
+      VertexRole& role = roles[edge.vertices[0]];
       role.place = edge.kind == BoundaryKind::Outer ? Place::OuterLoop : Place::InnerLoop;
       role.id = edge.id;
       role.corner = IsCorner(topology.turning[static_cast<Eigen::Index>(i)], options.cornerAngle);
@@ -42,7 +42,7 @@ std::vector<VertexRole> FindRoles(
   }
   for (const int vertex : options.chosenVertices)
   {
-    roles[static_cast<std::size_t>(vertex)].corner = true;
+    roles[vertex].corner = true;
   }
   return roles;
 }
@@ -118,7 +118,7 @@ std::optional<Point> LinearZero(const TriangleMesh& mesh, const EdgeNumbering& e
     {
       return std::nullopt;
     }
-    zero += barycentric * mesh.points[static_cast<std::size_t>(mesh.triangles[t][i])];
+    zero += barycentric * mesh.points[mesh.triangles[t][i]];
   }
   return zero;
 }
@@ -128,7 +128,7 @@ Point Centroid(const TriangleMesh& mesh, std::size_t t)
   Point sum = Point::Zero();
   for (const int vertex : mesh.triangles[t])
   {
-    sum += mesh.points[static_cast<std::size_t>(vertex)];
+    sum += mesh.points[vertex];
   }
   return sum / 3.0;
 }
@@ -139,14 +139,14 @@ std::vector<double> LongestEdges(const PlanarTopology& topology, const std::vect
   std::vector<double> longest(topology.mesh.points.size(), 0.0);
   for (const auto& [from, to] : topology.edges.vertices)
   {
-    if (marked[static_cast<std::size_t>(from)] == 0 && marked[static_cast<std::size_t>(to)] == 0)
+    if (marked[from] == 0 && marked[to] == 0)
     {
       continue;
     }
     const double length = (topology.PointAt(to) - topology.PointAt(from)).norm();
     for (const int vertex : { from, to })
     {
-      double& here = longest[static_cast<std::size_t>(vertex)];
+      double& here = longest[vertex];
       here = std::max(here, length);
     }
   }
@@ -176,7 +176,7 @@ std::map<int, Cluster> FindClusters(
     {
       for (const int vertex : mesh.triangles[t])
       {
-        marked[static_cast<std::size_t>(vertex)] = 1;
+        marked[vertex] = 1;
       }
       sets.Join(mesh.triangles[t][0], mesh.triangles[t][1]);
       sets.Join(mesh.triangles[t][1], mesh.triangles[t][2]);
@@ -197,14 +197,12 @@ std::map<int, Cluster> FindClusters(
     if (indices.ofTriangle[t] != 0)
     {
       const auto [a, b, c] = mesh.triangles[t];
-      const double edge = std::max({ longest[static_cast<std::size_t>(a)],
-        longest[static_cast<std::size_t>(b)], longest[static_cast<std::size_t>(c)] });
+      const double edge = std::max({ longest[a], longest[b], longest[c] });
       Cluster& cluster = clusters[sets.Find(a)];
       cluster.Add(indices.ofTriangle[t], Centroid(mesh, t), -1, VertexRole(), edge);
       cluster.touchesBoundary = cluster.touchesBoundary ||
         std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
-          [&roles](int vertex)
-          { return roles[static_cast<std::size_t>(vertex)].place != Place::Inside; });
+          [&roles](int vertex) { return roles[vertex].place != Place::Inside; });
     }
   }
   for (int v = 0; v < static_cast<int>(mesh.points.size()); ++v)
@@ -274,11 +272,7 @@ FieldSingularity DescribeHole(
   hole.place = Place::Hole;
   hole.id = loop.id;
   hole.quarterIndex = reading.degree;
-  const auto vertex = [&](int edge)
-  {
-    return mesh
-      .points[static_cast<std::size_t>(mesh.boundary[static_cast<std::size_t>(edge)].vertices[0])];
-  };
+  const auto vertex = [&](int edge) { return mesh.points[mesh.boundary[edge].vertices[0]]; };
   for (const int edge : loop.edges)
   {
     hole.position += vertex(edge) / static_cast<double>(loop.edges.size());

@@ -21,7 +21,7 @@ double ReachOf(const BoundaryLoop& circle, const Point& centre, const PlanarTopo
   double reach = 0.0;
   for (const int edge : circle.edges)
   {
-    const auto& [from, to] = topology.mesh.imprinted[static_cast<std::size_t>(edge)].vertices;
+    const auto& [from, to] = topology.mesh.imprinted[edge].vertices;
     const Point& start = topology.PointAt(from);
     reach = std::max(reach, (start - centre).norm() + (topology.PointAt(to) - start).norm());
   }
@@ -67,7 +67,7 @@ int CountUnwanted(
       [&](const Singularity& other) { return within(other.position, resolution); });
     if (point != wanted.points.end())
     {
-      atPoints[static_cast<std::size_t>(point - wanted.points.begin())] += singularity.quarterIndex;
+      atPoints[point - wanted.points.begin()] += singularity.quarterIndex;
       continue;
     }
     const bool chosen = std::any_of(wanted.chosenVertices.begin(), wanted.chosenVertices.end(),

@@ -1,7 +1,5 @@
 #include "ArcPosition.h"
 
-#include "Index.h"
-
 #include <algorithm>
 
 namespace crossfield

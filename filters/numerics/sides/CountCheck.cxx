@@ -1,7 +1,6 @@
 #include "CountCheck.h"
 
 #include "Error.h"
-#include "Index.h"
 #include "QuadQuality.h"
 #include "QuadSides.h"
 
@@ -27,14 +26,13 @@ void RequireSuitableCounts(const QuadMesh& mesh, double area, const BoundarySide
       continue;
     }
     measures = measures.empty() ? MeasureSides(mesh) : measures;
-    const std::string& name = sides.names[Index(one.side)];
+    const std::string& name = sides.names[one.side];
     const auto side = std::find(mesh.sideNames.begin(), mesh.sideNames.end(), name);
     if (side == mesh.sideNames.end())
     {
       continue;
     }
-    const double usual = std::max(
-      1.0, measures[static_cast<std::size_t>(side - mesh.sideNames.begin())].length / size);
+    const double usual = std::max(1.0, measures[side - mesh.sideNames.begin()].length / size);
     if (std::max(one.count / usual, usual / one.count) > LargestFactor)
     {
       described += (described.empty() ? "" : " and ") + std::to_string(one.count) +

@@ -1,6 +1,5 @@
 #include "GradedArcs.h"
 
-#include "Index.h"
 #include "SideArcs.h"
 
 #include <numeric>
@@ -37,7 +36,7 @@ void GradedArcs::SetTargets(std::vector<double>& targets) const
   const auto sumOf = [&targets](const Part& part)
   {
     return std::accumulate(part.arcs.begin(), part.arcs.end(), 0.0,
-      [&targets](double sum, int arc) { return sum + targets[Index(arc)]; });
+      [&targets](double sum, int arc) { return sum + targets[arc]; });
   };
   std::vector<double> ofSide(this->Prescribed.size(), 0.0);
   for (const Part& part : this->Parts)
@@ -52,7 +51,7 @@ void GradedArcs::SetTargets(std::vector<double>& targets) const
     {
       for (std::size_t i = 0; i < part.arcs.size(); ++i)
       {
-        double& target = targets[Index(part.arcs[i])];
+        double& target = targets[part.arcs[i]];
         target = one.count > 0 ? factor * target : (part.ends[i + 1] - part.ends[i]) / one.size;
       }
       continue;
@@ -66,7 +65,7 @@ void GradedArcs::SetTargets(std::vector<double>& targets) const
     {
       const auto within = [&](double length)
       { return EdgesWithin(length, part.ends.back(), count, one.progression); };
-      targets[Index(part.arcs[i])] = within(part.ends[i + 1]) - within(part.ends[i]);
+      targets[part.arcs[i]] = within(part.ends[i + 1]) - within(part.ends[i]);
     }
   }
 }
@@ -79,7 +78,7 @@ void GradedArcs::SetWeights(QuantisationProblem& problem) const
   {
     for (const int arc : part.arcs)
     {
-      problem.weight[Index(arc)] *= Preference;
+      problem.weight[arc] *= Preference;
     }
   }
 }

@@ -1,7 +1,5 @@
 #include "MeshBoundary.h"
 
-#include "Index.h"
-
 namespace crossfield
 {
 MeshBoundary::MeshBoundary(const PlanarTopology& topology, const CurvedBoundary& boundary)
@@ -12,15 +10,15 @@ MeshBoundary::MeshBoundary(const PlanarTopology& topology, const CurvedBoundary&
   std::vector<int> positionAt(topology.mesh.points.size(), -1);
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
-    positionAt[Index(topology.mesh.boundary[i].vertices[0])] = static_cast<int>(i);
+    positionAt[topology.mesh.boundary[i].vertices[0]] = static_cast<int>(i);
   }
   for (std::size_t l = 0; l < topology.alignedVertices.size(); ++l)
   {
     std::vector<int> positions;
     for (const int vertex : topology.alignedVertices[l])
     {
-      const int position = positionAt[Index(vertex)];
-      this->LoopAndEdge[Index(position)] = { static_cast<int>(l), positions.size() };
+      const int position = positionAt[vertex];
+      this->LoopAndEdge[position] = { static_cast<int>(l), positions.size() };
       positions.push_back(position);
     }
     this->Positions.push_back(std::move(positions));
@@ -29,7 +27,7 @@ MeshBoundary::MeshBoundary(const PlanarTopology& topology, const CurvedBoundary&
 
 CurvePlace MeshBoundary::Place(int boundaryPosition, double fraction) const
 {
-  const auto& [loop, edge] = this->LoopAndEdge[Index(boundaryPosition)];
+  const auto& [loop, edge] = this->LoopAndEdge[boundaryPosition];
   const LoopArc& arc = this->ArcOf(loop);
   return { loop, arc.Start(edge) + fraction * (arc.Start(edge + 1) - arc.Start(edge)) };
 }
@@ -42,7 +40,7 @@ std::vector<CurvePlace> MeshBoundary::Corners() const
     const std::vector<int>& vertices = this->Topology.alignedVertices[l];
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      if (this->Topology.corners[Index(vertices[i])])
+      if (this->Topology.corners[vertices[i]])
       {
         places.push_back({ static_cast<int>(l), this->GetArcs()[l].Start(i) });
       }
@@ -53,6 +51,6 @@ std::vector<CurvePlace> MeshBoundary::Corners() const
 
 int MeshBoundary::PositionAt(const CurvePlace& place) const
 {
-  return this->Positions[Index(place.loop)][this->ArcOf(place.loop).SideAt(place.at).first];
+  return this->Positions[place.loop][this->ArcOf(place.loop).SideAt(place.at).first];
 }
 }

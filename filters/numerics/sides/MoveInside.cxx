@@ -1,7 +1,5 @@
 #include "MoveInside.h"
 
-#include "Index.h"
-
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
@@ -31,19 +29,19 @@ void MoveInside(const std::vector<QuadPoint>& before, QuadMesh& mesh)
       for (const auto& [from, to] : { std::pair(quad[side], quad[(side + 1) % 4]),
              std::pair(quad[(side + 1) % 4], quad[side]) })
       {
-        const Eigen::Index row = unknown[Index(from)];
+        const Eigen::Index row = unknown[from];
         if (row < 0)
         {
           continue;
         }
         entries.emplace_back(row, row, 1.0);
-        if (unknown[Index(to)] >= 0)
+        if (unknown[to] >= 0)
         {
-          entries.emplace_back(row, unknown[Index(to)], -1.0);
+          entries.emplace_back(row, unknown[to], -1.0);
         }
         else
         {
-          right.row(row) += (mesh.points[Index(to)].place - before[Index(to)].place).transpose();
+          right.row(row) += (mesh.points[to].place - before[to].place).transpose();
         }
       }
     }

@@ -1,6 +1,5 @@
 #include "PairedArcs.h"
 
-#include "Index.h"
 #include "SideArcs.h"
 #include "TMeshSplit.h"
 
@@ -46,7 +45,7 @@ public:
     for (const bool isFirst : { true, false })
     {
       const SideSpan& span = isFirst ? this->First : this->Second;
-      const LoopArc& arc = this->Curves.GetArcs()[Index(span.loop)];
+      const LoopArc& arc = this->Curves.GetArcs()[span.loop];
       for (const double offset : isFirst ? this->OnFirst : this->OnSecond)
       {
         const std::size_t vertex = arc.NearestVertex(span.start + offset);
@@ -144,8 +143,7 @@ std::vector<CountSum> PairSums(const SeamlessMap& map, const MeshBoundary& curve
     }
     for (CountSum& sum : ofPair)
     {
-      sum.name = "The periodic pair " + sides.names[Index(pair.first)] + ":" +
-        sides.names[Index(pair.second)];
+      sum.name = "The periodic pair " + sides.names[pair.first] + ":" + sides.names[pair.second];
       sums.push_back(std::move(sum));
     }
   }

@@ -1,7 +1,6 @@
 #include "PrescribedSides.h"
 
 #include "Error.h"
-#include "Index.h"
 #include "SideArcs.h"
 
 #include <algorithm>
@@ -61,7 +60,7 @@ std::vector<CountSum> PrescribedSums(const SeamlessMap& map, const MeshBoundary&
   const SideArcs arcs(map, curves, sides, mesh);
   for (const SidePrescription& one : prescribed)
   {
-    const std::string& name = sides.names[Index(one.side)];
+    const std::string& name = sides.names[one.side];
     if (one.count > 0)
     {
       sums.push_back(

@@ -1,7 +1,6 @@
 #include "PrescriptionCheck.h"
 
 #include "Error.h"
-#include "Index.h"
 
 #include <cmath>
 #include <string>
@@ -48,7 +47,7 @@ void RequireConsistent(const BoundarySides& sides, const std::vector<LoopArc>& l
   const SidesAlong along(sides, loops);
   for (const SidePrescription& one : prescribed)
   {
-    const std::string& name = sides.names[Index(one.side)];
+    const std::string& name = sides.names[one.side];
     RequireInRange(name, one);
     const bool hasLengths = one.isGraded && one.progression.HasLengths();
     if ((one.count > 0 ? 1 : 0) + (hasLengths ? 1 : 0) + (one.size > 0.0 ? 1 : 0) > 1 ||

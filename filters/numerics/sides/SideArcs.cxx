@@ -23,12 +23,12 @@ SideArcs::SideArcs(
   const SidesAlong along(sides, curves.GetArcs());
   for (int arc = 0; arc < static_cast<int>(mesh.arcs.size()); ++arc)
   {
-    if (mesh.arcs[Index(arc)].onBoundary)
+    if (mesh.arcs[arc].onBoundary)
     {
-      const CurvePlace middle = FindMiddle(map, curves, mesh.arcs[Index(arc)]);
+      const CurvePlace middle = FindMiddle(map, curves, mesh.arcs[arc]);
       this->Middles[arc] = middle;
       this->SideOf[arc] = along.At(Index(middle.loop), middle.at);
-      this->From[mesh.halfEdges[Index(2 * arc)].node] = arc;
+      this->From[mesh.halfEdges[2 * arc].node] = arc;
     }
   }
 }
@@ -54,9 +54,9 @@ std::vector<std::vector<int>> SideArcs::PartsOf(int side) const
   {
     for (const int first : this->Of(side))
     {
-      const int start = this->Mesh.halfEdges[Index(2 * first)].node;
+      const int start = this->Mesh.halfEdges[2 * first].node;
       const bool isLeft = std::find(remaining.begin(), remaining.end(), first) != remaining.end();
-      if (isLeft && (!distinct || this->Mesh.nodes[Index(start)].IsDistinct()))
+      if (isLeft && (!distinct || this->Mesh.nodes[start].IsDistinct()))
       {
         parts.push_back(this->Follow(first, remaining));
       }
@@ -70,7 +70,7 @@ double SideArcs::LengthOf(const std::vector<int>& arcs) const
   double length = 0.0;
   for (const int arc : arcs)
   {
-    const std::vector<SpacePoint>& line = this->Mesh.arcs[Index(arc)].polyline;
+    const std::vector<SpacePoint>& line = this->Mesh.arcs[arc].polyline;
     for (std::size_t i = 1; i < line.size(); ++i)
     {
       length += (line[i] - line[i - 1]).norm();
@@ -87,8 +87,8 @@ std::vector<int> SideArcs::Follow(int arc, std::vector<int>& remaining) const
   {
     remaining.erase(found);
     part.push_back(arc);
-    const int end = this->Mesh.halfEdges[Index(2 * arc + 1)].node;
-    if (this->Mesh.nodes[Index(end)].IsDistinct())
+    const int end = this->Mesh.halfEdges[2 * arc + 1].node;
+    if (this->Mesh.nodes[end].IsDistinct())
     {
       break;
     }

@@ -1,6 +1,5 @@
 #include "SidePlacement.h"
 
-#include "Index.h"
 #include "MoveInside.h"
 #include "QuadSides.h"
 #include "StripGrading.h"
@@ -17,7 +16,7 @@ namespace
 std::vector<std::vector<int>> PartsBetweenFixed(
   const QuadMesh& mesh, const std::vector<std::vector<int>>& pieces)
 {
-  const auto isFixed = [&mesh](int point) { return mesh.points[Index(point)].fixed; };
+  const auto isFixed = [&mesh](int point) { return mesh.points[point].fixed; };
   std::vector<std::vector<int>> parts;
   for (std::vector<int> piece : pieces)
   {
@@ -47,31 +46,28 @@ void PlacePart(const BoundaryCurves& curves, const std::vector<int>& part,
   const Progression& progression, QuadMesh& mesh)
 {
   const auto count = static_cast<int>(part.size()) - 1;
-  const CurvePlace start = mesh.points[Index(part.front())].curve;
+  const CurvePlace start = mesh.points[part.front()].curve;
   const double loop = curves.Length(start.loop);
   const auto forwards = [loop](double length) { return length - loop * std::floor(length / loop); };
   const bool isClosed = part.front() == part.back();
-  const double length =
-    isClosed ? loop : forwards(mesh.points[Index(part.back())].curve.at - start.at);
+  const double length = isClosed ? loop : forwards(mesh.points[part.back()].curve.at - start.at);
   const std::vector<double> places = DivideLength(length, count, progression);
   // a closed curve has no end: its points are rotated to where they are on average
-  const bool turns = isClosed && !mesh.points[Index(part.front())].fixed;
+  const bool turns = isClosed && !mesh.points[part.front()].fixed;
   double shift = 0.0;
   if (turns)
   {
     for (int i = 1; i < count; ++i)
     {
-      shift +=
-        (forwards(mesh.points[Index(part[Index(i)])].curve.at - start.at) - places[Index(i)]) /
-        count;
+      shift += (forwards(mesh.points[part[i]].curve.at - start.at) - places[i]) / count;
     }
   }
   for (int i = 0; i < count; ++i)
   {
-    QuadPoint& point = mesh.points[Index(part[Index(i)])];
+    QuadPoint& point = mesh.points[part[i]];
     if (!point.fixed)
     {
-      point.curve.at = start.at + shift + places[Index(i)];
+      point.curve.at = start.at + shift + places[i];
       point.curve.at -= loop * std::floor(point.curve.at / loop);
       point.place = curves.At(point.curve);
       point.fixed = true;

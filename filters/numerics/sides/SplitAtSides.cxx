@@ -1,6 +1,5 @@
 #include "SplitAtSides.h"
 
-#include "Index.h"
 #include "TMeshSplit.h"
 
 #include <algorithm>

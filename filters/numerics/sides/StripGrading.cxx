@@ -1,7 +1,5 @@
 #include "StripGrading.h"
 
-#include "Index.h"
-
 #include <cmath>
 #include <map>
 
@@ -33,9 +31,9 @@ public:
     for (const QuadBoundaryEdge* edge : edges)
     {
       const int side = this->SideFrom.at(edge->points[0]);
-      const double length = (this->Mesh.points[Index(edge->points[1])].place -
-        this->Mesh.points[Index(edge->points[0])].place)
-                              .norm();
+      const double length =
+        (this->Mesh.points[edge->points[1]].place - this->Mesh.points[edge->points[0]].place)
+          .norm();
       factors[side] = length / this->Target(side);
     }
     for (const auto& [side, factor] : factors)
@@ -60,12 +58,12 @@ public:
   }
 
 private:
-  double& Target(int side) { return this->Mesh.targetLengths[Index(side / 4)][Index(side % 2)]; }
+  double& Target(int side) { return this->Mesh.targetLengths[side / 4][side % 2]; }
 
   /// Returns the loop of a side on the boundary.
   int LoopOf(int side) const
   {
-    return this->Mesh.points[Index(this->Mesh.quads[Index(side / 4)][Index(side % 4)])].curve.loop;
+    return this->Mesh.points[this->Mesh.quads[side / 4][side % 4]].curve.loop;
   }
 
   /// Returns the sides at which a strip enters its quads, from a boundary side on.
@@ -75,7 +73,7 @@ private:
     while (side >= 0)
     {
       strip.push_back(side);
-      side = this->Twins[Index(side / 4 * 4 + (side + 2) % 4)];
+      side = this->Twins[side / 4 * 4 + (side + 2) % 4];
     }
     return strip;
   }

@@ -1,7 +1,5 @@
 #include "BoundaryOrder.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -35,8 +33,7 @@ std::vector<Step> StepsOf(const QuadMesh& mesh)
     if (twins[side] < 0)
     {
       const std::array<int, 4>& quad = mesh.quads[side / 4];
-      steps[Index(quad[side % 4])] = { quad[(side + 1) % 4],
-        mesh.targetLengths[side / 4][side % 2] };
+      steps[quad[side % 4]] = { quad[(side + 1) % 4], mesh.targetLengths[side / 4][side % 2] };
     }
   }
   return steps;
@@ -90,17 +87,17 @@ Run FollowFrom(
   int start, const std::vector<Step>& steps, const QuadMesh& mesh, const BoundaryCurves& curves)
 {
   Run run;
-  run.loop = curves.Length(mesh.points[Index(start)].curve.loop);
+  run.loop = curves.Length(mesh.points[start].curve.loop);
   run.points = { start };
-  std::vector<CurvePlace> places = { mesh.points[Index(start)].curve };
+  std::vector<CurvePlace> places = { mesh.points[start].curve };
   std::vector<double> targets = { 0.0 };
   do
   {
-    const Step& step = steps[Index(run.points.back())];
+    const Step& step = steps[run.points.back()];
     run.points.push_back(step.next);
-    places.push_back(mesh.points[Index(step.next)].curve);
+    places.push_back(mesh.points[step.next].curve);
     targets.push_back(targets.back() + step.target);
-  } while (run.points.back() != start && !mesh.points[Index(run.points.back())].fixed);
+  } while (run.points.back() != start && !mesh.points[run.points.back()].fixed);
   Unwrap(places, run);
   for (const double target : targets)
   {
@@ -156,8 +153,8 @@ bool HasLongEdges(const QuadMesh& mesh, const BoundaryCurves& curves, double par
   return std::any_of(mesh.boundary.begin(), mesh.boundary.end(),
     [&](const QuadBoundaryEdge& edge)
     {
-      const CurvePlace& from = mesh.points[Index(edge.points[0])].curve;
-      const CurvePlace& to = mesh.points[Index(edge.points[1])].curve;
+      const CurvePlace& from = mesh.points[edge.points[0]].curve;
+      const CurvePlace& to = mesh.points[edge.points[1]].curve;
       const double loop = curves.Length(from.loop);
       return from.loop == to.loop && LengthAlong(from, to, loop) > part * loop;
     });
@@ -177,8 +174,8 @@ void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shorte
     }
     for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
     {
-      QuadPoint& point = mesh.points[Index(run.points[i])];
-      done[Index(run.points[i])] = true;
+      QuadPoint& point = mesh.points[run.points[i]];
+      done[run.points[i]] = true;
       if (changes && i > 0)
       {
         point.curve.at = run.at[i];
@@ -190,8 +187,7 @@ void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shorte
   {
     for (int point = 0; point < static_cast<int>(steps.size()); ++point)
     {
-      if (steps[Index(point)].next >= 0 && mesh.points[Index(point)].fixed == fixed &&
-        !done[Index(point)])
+      if (steps[point].next >= 0 && mesh.points[point].fixed == fixed && !done[point])
       {
         order(point);
       }

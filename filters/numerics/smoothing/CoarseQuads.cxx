@@ -80,7 +80,7 @@ std::vector<QuadLattice> LatticesOf(const QuadMesh& mesh, const QuadBlocks& bloc
   }
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
-    QuadLattice& lattice = lattices[Index(blocks.block[q])];
+    QuadLattice& lattice = lattices[blocks.block[q]];
     const int i = blocks.i[q];
     const int j = blocks.j[q];
     const int corner = lattice.points[At(i, j, lattice.width + 1)];
@@ -110,11 +110,11 @@ CoarseQuads::CoarseQuads(const QuadMesh& fineMesh, const std::vector<QuadLattice
       for (const int i : columns)
       {
         const int point = from.points[At(i, j, from.width + 1)];
-        int& mine = number[Index(point)];
+        int& mine = number[point];
         if (mine < 0)
         {
           mine = static_cast<int>(this->mesh.points.size());
-          this->mesh.points.push_back(fineMesh.points[Index(point)]);
+          this->mesh.points.push_back(fineMesh.points[point]);
         }
         to.points.push_back(mine);
       }
@@ -152,7 +152,7 @@ CoarseQuads::CoarseQuads(const QuadMesh& fineMesh, const std::vector<QuadLattice
   // Blocks beside two periodic sides may keep different points of them.
   for (const int single : CopyPairs(fineMesh, number, this->mesh))
   {
-    this->mesh.points[Index(single)].fixed = true;
+    this->mesh.points[single].fixed = true;
   }
 }
 
@@ -171,13 +171,13 @@ void CoarseQuads::ForEachLink(const Function& function) const
       for (int i = 0; i <= to.width; ++i)
       {
         const int point = to.points[At(i, j, to.width + 1)];
-        if (done[Index(point)])
+        if (done[point])
         {
           continue;
         }
-        done[Index(point)] = true;
-        const LinePlace& x = columns[Index(i)];
-        const LinePlace& y = rows[Index(j)];
+        done[point] = true;
+        const LinePlace& x = columns[i];
+        const LinePlace& y = rows[j];
         const std::size_t corner = At(x.before, y.before, from.width + 1);
         const std::size_t above = corner + Index(from.width + 1);
         function(Link{ point,
@@ -196,7 +196,7 @@ Eigen::VectorXd CoarseQuads::Tangents(const BoundaryCurves& curves) const
     Eigen::VectorXd::Zero(FirstUnknown(static_cast<int>(this->mesh.points.size())));
   for (int p = 0; p < static_cast<int>(this->mesh.points.size()); ++p)
   {
-    const CurvePlace& curve = this->mesh.points[Index(p)].curve;
+    const CurvePlace& curve = this->mesh.points[p].curve;
     if (curve.loop >= 0)
     {
       tangents.segment<2>(FirstUnknown(p)) = curves.Tangent(curve);
@@ -214,11 +214,11 @@ Eigen::VectorXd CoarseQuads::Prolong(
   this->ForEachLink(
     [&](const Link& link)
     {
-      const bool inside = this->Fine.points[Index(link.fine)].curve.loop < 0;
+      const bool inside = this->Fine.points[link.fine].curve.loop < 0;
       for (std::size_t k = 0; k < 4; ++k)
       {
         const Eigen::Index first = FirstUnknown(link.coarse[k]);
-        const bool onBoundary = this->mesh.points[Index(link.coarse[k])].curve.loop >= 0;
+        const bool onBoundary = this->mesh.points[link.coarse[k]].curve.loop >= 0;
         const Point move = inside && onBoundary ? Point(moves[first] * tangents.segment<2>(first))
                                                 : Point(moves.segment<2>(first));
         result.segment<2>(FirstUnknown(link.fine)) += link.parts[k] * move;
@@ -234,7 +234,7 @@ Eigen::VectorXd CoarseQuads::Interpolate(
   this->ForEachLink(
     [&](const Link& link)
     {
-      const QuadPoint& point = this->Fine.points[Index(link.fine)];
+      const QuadPoint& point = this->Fine.points[link.fine];
       if (point.curve.loop >= 0)
       {
         return;
@@ -242,7 +242,7 @@ Eigen::VectorXd CoarseQuads::Interpolate(
       Point displacement = -point.place;
       for (std::size_t k = 0; k < 4; ++k)
       {
-        displacement += link.parts[k] * this->mesh.points[Index(link.coarse[k])].place;
+        displacement += link.parts[k] * this->mesh.points[link.coarse[k]].place;
       }
       result.segment<2>(FirstUnknown(link.fine)) = displacement;
     });
@@ -257,12 +257,12 @@ Eigen::VectorXd CoarseQuads::Restrict(
   this->ForEachLink(
     [&](const Link& link)
     {
-      const bool inside = this->Fine.points[Index(link.fine)].curve.loop < 0;
+      const bool inside = this->Fine.points[link.fine].curve.loop < 0;
       const Point part = gradient.segment<2>(FirstUnknown(link.fine));
       for (std::size_t k = 0; k < 4; ++k)
       {
         const Eigen::Index first = FirstUnknown(link.coarse[k]);
-        const bool onBoundary = this->mesh.points[Index(link.coarse[k])].curve.loop >= 0;
+        const bool onBoundary = this->mesh.points[link.coarse[k]].curve.loop >= 0;
         result.segment<2>(first) += link.parts[k] *
           (inside && onBoundary ? Point(part.dot(tangents.segment<2>(first)), 0.0) : part);
       }

@@ -1,7 +1,6 @@
 #include "NodePairs.h"
 
 #include "Error.h"
-#include "Index.h"
 #include "QuadSides.h"
 
 #include <algorithm>
@@ -52,9 +51,9 @@ void FindPairs(QuadMesh& mesh)
     const std::vector<int> second = PiecesOf(mesh, pair.second).front();
     if (first.size() != second.size())
     {
-      throw Error("With the layers, the periodic sides '" + mesh.sideNames[Index(pair.first)] +
-        "' and '" + mesh.sideNames[Index(pair.second)] + "' have " +
-        std::to_string(first.size() - 1) + " and " + std::to_string(second.size() - 1) +
+      throw Error("With the layers, the periodic sides '" + mesh.sideNames[pair.first] + "' and '" +
+        mesh.sideNames[pair.second] + "' have " + std::to_string(first.size() - 1) + " and " +
+        std::to_string(second.size() - 1) +
         " edges; give equal numbers of rows to the layers that end on them, or leave the pair out.");
     }
     pair.nodes.clear();
@@ -76,7 +75,7 @@ void MatchPairs(const BoundaryCurves& curves, QuadMesh& mesh)
       {
         if (first != second)
         {
-          MatchPair(curves, pair.motion, mesh.points[Index(first)], mesh.points[Index(second)]);
+          MatchPair(curves, pair.motion, mesh.points[first], mesh.points[second]);
         }
       }
     }
@@ -88,8 +87,8 @@ double LargestMismatch(const PairedSides& pair, const QuadMesh& mesh)
   double largest = 0.0;
   for (const auto& [first, second] : pair.nodes)
   {
-    const Point image = pair.motion(mesh.points[Index(first)].place);
-    largest = std::max(largest, (image - mesh.points[Index(second)].place).norm());
+    const Point image = pair.motion(mesh.points[first].place);
+    largest = std::max(largest, (image - mesh.points[second].place).norm());
   }
   return largest;
 }
@@ -110,7 +109,7 @@ void MovePairsTogether(const QuadMesh& mesh, std::vector<bool>& moves)
   {
     for (const auto& [first, second] : pair.nodes)
     {
-      moves[Index(first)] = moves[Index(second)] = moves[Index(first)] && moves[Index(second)];
+      moves[first] = moves[second] = moves[first] && moves[second];
     }
   }
 }
@@ -124,8 +123,8 @@ std::vector<int> CopyPairs(const QuadMesh& mesh, const std::vector<int>& number,
     copied.nodes.clear();
     for (const auto& [first, second] : pair.nodes)
     {
-      const int a = number[Index(first)];
-      const int b = number[Index(second)];
+      const int a = number[first];
+      const int b = number[second];
       if (a >= 0 && b >= 0)
       {
         copied.nodes.push_back({ a, b });

@@ -21,12 +21,12 @@ OrderEnergy::OrderEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
   for (int side = 0; side < static_cast<int>(twins.size()); ++side)
   {
     const std::size_t q = Index(side / 4);
-    const int from = mesh.quads[q][Index(side % 4)];
-    const int to = mesh.quads[q][Index((side + 1) % 4)];
-    const CurvePlace& start = mesh.points[Index(from)].curve;
-    const CurvePlace& end = mesh.points[Index(to)].curve;
-    if (twins[Index(side)] >= 0 || start.loop < 0 || start.loop != end.loop ||
-      isImage[Index(from)] || isImage[Index(to)]) // in order if the other side is
+    const int from = mesh.quads[q][side % 4];
+    const int to = mesh.quads[q][(side + 1) % 4];
+    const CurvePlace& start = mesh.points[from].curve;
+    const CurvePlace& end = mesh.points[to].curve;
+    if (twins[side] >= 0 || start.loop < 0 || start.loop != end.loop || isImage[from] ||
+      isImage[to]) // in order if the other side is
     {
       continue;
     }
@@ -38,12 +38,10 @@ OrderEnergy::OrderEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
       return;
     }
     // The unknowns of fixed points are not lengths.
-    const double moving =
-      (isFixed[Index(to)] ? 0.0 : end.at) - (isFixed[Index(from)] ? 0.0 : start.at);
-    this->Terms.push_back(
-      { isFixed[Index(from)] ? -1 : FirstUnknown(from), isFixed[Index(to)] ? -1 : FirstUnknown(to),
-        length - moving, 1.0 / mesh.targetLengths[q][Index(side % 2)],
-        length < LongestPartOfLoop * loop ? 1.0 / loop : 0.0 });
+    const double moving = (isFixed[to] ? 0.0 : end.at) - (isFixed[from] ? 0.0 : start.at);
+    this->Terms.push_back({ isFixed[from] ? -1 : FirstUnknown(from),
+      isFixed[to] ? -1 : FirstUnknown(to), length - moving, 1.0 / mesh.targetLengths[q][side % 2],
+      length < LongestPartOfLoop * loop ? 1.0 / loop : 0.0 });
   }
 }
 

@@ -72,18 +72,18 @@ QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
   std::vector<bool> isImage(mesh.points.size(), false);
   for (const Image& image : this->Images)
   {
-    isImage[Index(image.second)] = true;
+    isImage[image.second] = true;
     this->Diagonal.segment<2>(FirstUnknown(image.first)) +=
       this->Diagonal.segment<2>(FirstUnknown(image.second));
   }
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
   {
-    if (!moves[Index(p)] || isImage[Index(p)])
+    if (!moves[p] || isImage[p])
     {
       this->Fixed.push_back(p);
       this->Diagonal.segment<2>(FirstUnknown(p)).setOnes();
     }
-    else if (mesh.points[Index(p)].curve.loop >= 0)
+    else if (mesh.points[p].curve.loop >= 0)
     {
       this->OnBoundary.push_back(p);
       this->Diagonal[FirstUnknown(p) + 1] = 1.0;
@@ -98,7 +98,7 @@ void QuadEnergy::FindImages(const std::vector<bool>& moves)
     const RigidMotion& motion = pair.motion;
     for (const auto& [first, second] : pair.nodes)
     {
-      if (moves[Index(first)] && moves[Index(second)] && first != second)
+      if (moves[first] && moves[second] && first != second)
       {
         this->Images.push_back({ first, second, motion, motion.Rotation() });
       }
@@ -111,11 +111,11 @@ Eigen::VectorXd QuadEnergy::Unknowns() const
   Eigen::VectorXd unknowns(this->Diagonal.size());
   for (int p = 0; p < static_cast<int>(this->Mesh.points.size()); ++p)
   {
-    unknowns.segment<2>(FirstUnknown(p)) = this->Mesh.points[Index(p)].place;
+    unknowns.segment<2>(FirstUnknown(p)) = this->Mesh.points[p].place;
   }
   for (const int p : this->OnBoundary)
   {
-    unknowns.segment<2>(FirstUnknown(p)) << this->Mesh.points[Index(p)].curve.at, 0.0;
+    unknowns.segment<2>(FirstUnknown(p)) << this->Mesh.points[p].curve.at, 0.0;
   }
   return unknowns;
 }
@@ -160,22 +160,22 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
   curves.reserve(this->OnBoundary.size());
   for (const int p : this->OnBoundary)
   {
-    curves.push_back({ mesh.points[Index(p)].curve.loop, unknowns[FirstUnknown(p)] });
+    curves.push_back({ mesh.points[p].curve.loop, unknowns[FirstUnknown(p)] });
   }
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
   {
-    mesh.points[Index(p)].place = unknowns.segment<2>(FirstUnknown(p));
+    mesh.points[p].place = unknowns.segment<2>(FirstUnknown(p));
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
-    QuadPoint& point = mesh.points[Index(this->OnBoundary[i])];
+    QuadPoint& point = mesh.points[this->OnBoundary[i]];
     point.curve = curves[i];
     point.place = this->Curves.At(point.curve);
   }
   for (const Image& image : this->Images)
   {
-    QuadPoint& point = mesh.points[Index(image.second)];
-    point.place = image.motion(mesh.points[Index(image.first)].place);
+    QuadPoint& point = mesh.points[image.second];
+    point.place = image.motion(mesh.points[image.first].place);
     point.curve = this->Curves.Nearest(point.curve.loop, point.place);
   }
 }
@@ -191,7 +191,7 @@ void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
   for (const int p : this->OnBoundary)
   {
     this->Positions.segment<2>(FirstUnknown(p)) =
-      this->Curves.At({ this->Mesh.points[Index(p)].curve.loop, unknowns[FirstUnknown(p)] });
+      this->Curves.At({ this->Mesh.points[p].curve.loop, unknowns[FirstUnknown(p)] });
   }
   for (const Image& image : this->Images)
   {
@@ -302,7 +302,7 @@ double QuadEnergy::QuadsValue(double epsilon, Eigen::VectorXd* gradient)
           for (int i = this->Corners->Begin(p); i < this->Corners->Begin(p + 1); ++i)
           {
             const int corner = this->Corners->Get(i);
-            sum += this->OfQuads[Index(corner / 4)][Index(corner % 4)];
+            sum += this->OfQuads[corner / 4][corner % 4];
           }
         }
       },
@@ -339,7 +339,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   for (const int p : this->OnBoundary)
   {
     const Point inPlane = gradient->segment<2>(FirstUnknown(p));
-    const int loop = this->Mesh.points[Index(p)].curve.loop;
+    const int loop = this->Mesh.points[p].curve.loop;
     gradient->segment<2>(FirstUnknown(p))
       << inPlane.dot(this->Curves.Tangent({ loop, unknowns[FirstUnknown(p)] })),
       0.0;
@@ -365,12 +365,12 @@ void QuadEnergy::HoldOrderOnBoundary()
   std::vector<bool> isFixed(this->Mesh.points.size(), false);
   for (const int p : this->Fixed)
   {
-    isFixed[Index(p)] = true;
+    isFixed[p] = true;
   }
   std::vector<bool> isImage(this->Mesh.points.size(), false);
   for (const Image& image : this->Images)
   {
-    isImage[Index(image.second)] = true;
+    isImage[image.second] = true;
   }
   this->Order = OrderEnergy(this->Mesh, this->Curves, isFixed, isImage);
 }

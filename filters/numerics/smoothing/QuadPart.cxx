@@ -25,7 +25,7 @@ std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
   {
     for (const auto& [first, second] : pair.nodes)
     {
-      ringOf[Index(first)] = ringOf[Index(second)] = 0;
+      ringOf[first] = ringOf[second] = 0;
     }
   }
   std::vector<char> isInverted(mesh.quads.size());
@@ -41,7 +41,7 @@ std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
   {
     for (std::size_t c = 0; c < 4 && isInverted[q] != 0; ++c)
     {
-      ringOf[Index(mesh.quads[q][c])] = 0;
+      ringOf[mesh.quads[q][c]] = 0;
     }
   }
   std::vector<int> reached;
@@ -56,14 +56,14 @@ std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
   for (std::size_t next = 0; next < reached.size(); ++next)
   {
     const int p = reached[next];
-    const int ring = ringOf[Index(p)] + 1;
+    const int ring = ringOf[p] + 1;
     for (int i = corners.Begin(p); i < corners.Begin(p + 1) && ring < rings; ++i)
     {
-      for (const int other : mesh.quads[Index(corners.Get(i) / 4)])
+      for (const int other : mesh.quads[corners.Get(i) / 4])
       {
-        if (ring < ringOf[Index(other)])
+        if (ring < ringOf[other])
         {
-          ringOf[Index(other)] = ring;
+          ringOf[other] = ring;
           reached.push_back(other);
         }
       }
@@ -76,7 +76,7 @@ std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
 QuadPart::QuadPart(const QuadMesh& full, const std::vector<bool>& fullMoves, int rings)
 {
   const std::vector<int> ringOf = RingsOf(full, rings);
-  const auto isFree = [&](int p) { return ringOf[Index(p)] < rings && fullMoves[Index(p)]; };
+  const auto isFree = [&](int p) { return ringOf[p] < rings && fullMoves[p]; };
   std::vector<int> number(full.points.size(), -1);
   for (std::size_t q = 0; q < full.quads.size(); ++q)
   {
@@ -87,12 +87,12 @@ QuadPart::QuadPart(const QuadMesh& full, const std::vector<bool>& fullMoves, int
     }
     for (int& p : quad)
     {
-      int& mine = number[Index(p)];
+      int& mine = number[p];
       if (mine < 0)
       {
         mine = static_cast<int>(this->points.size());
         this->points.push_back(Index(p));
-        this->mesh.points.push_back(full.points[Index(p)]);
+        this->mesh.points.push_back(full.points[p]);
         this->moves.push_back(isFree(p));
       }
       p = mine;
@@ -102,7 +102,7 @@ QuadPart::QuadPart(const QuadMesh& full, const std::vector<bool>& fullMoves, int
   }
   for (const int single : CopyPairs(full, number, this->mesh))
   {
-    this->moves[Index(single)] = false;
+    this->moves[single] = false;
   }
   MovePairsTogether(this->mesh, this->moves);
 }

@@ -28,11 +28,11 @@ bool IsBijection(const Permutation& images)
   std::vector<bool> taken(images.size(), false);
   for (const int image : images)
   {
-    if (taken[Index(image)])
+    if (taken[image])
     {
       return false;
     }
-    taken[Index(image)] = true;
+    taken[image] = true;
   }
   return true;
 }
@@ -77,10 +77,10 @@ public:
         const auto [begin, end] = PartRange(count, part, farthest.size());
         for (int p = begin; p < end; ++p)
         {
-          const QuadPoint& point = this->Mesh.points[Index(p)];
+          const QuadPoint& point = this->Mesh.points[p];
           const Point place = symmetry(point.place);
           const int image = this->Grid->Find(place, p);
-          const bool fits = image >= 0 && this->Fits(point, this->Mesh.points[Index(image)], place);
+          const bool fits = image >= 0 && this->Fits(point, this->Mesh.points[image], place);
           const double distance =
             fits ? this->Grid->EdgesBetween(place, image) : std::numeric_limits<double>::infinity();
           farthest[part] = std::max(farthest[part], distance);
@@ -88,7 +88,7 @@ public:
           {
             return;
           }
-          images[Index(p)] = image;
+          images[p] = image;
         }
       });
     const double distance = *std::max_element(farthest.begin(), farthest.end());
@@ -108,7 +108,7 @@ public:
       {
         for (std::size_t p = Index(begin); p < Index(end); ++p)
         {
-          sums[p] += inverse(this->Mesh.points[Index(images[p])].place);
+          sums[p] += inverse(this->Mesh.points[images[p]].place);
         }
       });
   }
@@ -175,7 +175,7 @@ private:
     {
       for (int i = this->Corners->Begin(points[0]); i < this->Corners->Begin(points[0] + 1); ++i)
       {
-        if (sorted(this->Mesh.quads[Index(this->Corners->Get(i) / 4)]) == points)
+        if (sorted(this->Mesh.quads[this->Corners->Get(i) / 4]) == points)
         {
           return true;
         }
@@ -190,7 +190,7 @@ private:
                  std::array<int, 4> points = this->Mesh.quads[q];
                  for (int& point : points)
                  {
-                   point = images[Index(point)];
+                   point = images[point];
                  }
                  if (!isQuad(sorted(points)))
                  {
@@ -229,7 +229,7 @@ Permutation Chain(const Permutation& first, const Permutation& second)
   both.reserve(first.size());
   for (const int image : first)
   {
-    both.push_back(second[Index(image)]);
+    both.push_back(second[image]);
   }
   return both;
 }

@@ -1,7 +1,6 @@
 #include "SmoothMesh.h"
 
 #include "Error.h"
-#include "Index.h"
 #include "QuadBlocks.h"
 #include "QuadSizes.h"
 
@@ -58,11 +57,11 @@ public:
   std::vector<Loop> Loops; ///< The boundary, with the domain on its left.
 
 private:
-  int StartOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index(side % 4)]; }
-  int EndOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index((side + 1) % 4)]; }
+  int StartOf(int side) const { return this->Mesh.quads[side / 4][side % 4]; }
+  int EndOf(int side) const { return this->Mesh.quads[side / 4][(side + 1) % 4]; }
   std::string Near(int side) const
   {
-    return " near " + Describe(this->Mesh.points[Index(this->StartOf(side))].place);
+    return " near " + Describe(this->Mesh.points[this->StartOf(side)].place);
   }
 
   /// Finds the other side of the edge of each side; −1 on the boundary. QuadMesh::Twins requires quads
@@ -92,8 +91,8 @@ private:
       }
       if (i + 1 < sides.size() && edgeOf(sides[i + 1]) == edge)
       {
-        this->Twins[Index(side)] = sides[i + 1];
-        this->Twins[Index(sides[i + 1])] = side;
+        this->Twins[side] = sides[i + 1];
+        this->Twins[sides[i + 1]] = side;
       }
     }
   }
@@ -114,17 +113,17 @@ private:
       for (std::size_t next = 0; next < part.size(); ++next)
       {
         const int quad = part[next];
-        const int turn = turned[Index(quad)];
+        const int turn = turned[quad];
         area += (turn == 0 ? 1.0 : -1.0) * this->AreaOf(quad);
         for (int side = 4 * quad; side < 4 * quad + 4; ++side)
         {
-          const int twin = this->Twins[Index(side)];
+          const int twin = this->Twins[side];
           if (twin < 0)
           {
             continue;
           }
           const int wanted = this->StartOf(side) == this->StartOf(twin) ? 1 - turn : turn;
-          int& other = turned[Index(twin / 4)];
+          int& other = turned[twin / 4];
           if (other >= 0 && other != wanted)
           {
             throw Error("The quads" + this->Near(side) +
@@ -144,7 +143,7 @@ private:
       }
       for (const int quad : part)
       {
-        turned[Index(quad)] ^= area < 0.0 ? 1 : 0;
+        turned[quad] ^= area < 0.0 ? 1 : 0;
       }
     }
     for (std::size_t q = 0; q < turned.size(); ++q)
@@ -162,8 +161,8 @@ private:
 
   double AreaOf(int quad) const
   {
-    const auto& corners = this->Mesh.quads[Index(quad)];
-    const auto at = [&](std::size_t i) { return this->Mesh.points[Index(corners[i])].place; };
+    const auto& corners = this->Mesh.quads[quad];
+    const auto at = [&](std::size_t i) { return this->Mesh.points[corners[i]].place; };
     return 0.5 * Cross(at(2) - at(0), at(3) - at(1));
   }
 
@@ -173,12 +172,12 @@ private:
     std::vector<int> next(this->Mesh.points.size(), -1);
     for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
     {
-      ++this->Mesh.points[Index(this->StartOf(side))].valence;
-      if (this->Twins[Index(side)] >= 0)
+      ++this->Mesh.points[this->StartOf(side)].valence;
+      if (this->Twins[side] >= 0)
       {
         continue;
       }
-      int& end = next[Index(this->StartOf(side))];
+      int& end = next[this->StartOf(side)];
       if (end >= 0)
       {
         throw Error("The boundary touches itself" + this->Near(side) +
@@ -188,17 +187,17 @@ private:
     }
     for (int start = 0; start < static_cast<int>(next.size()); ++start)
     {
-      if (next[Index(start)] < 0)
+      if (next[start] < 0)
       {
         continue;
       }
       std::vector<int> around;
       Loop loop;
-      for (int p = start; next[Index(p)] >= 0;)
+      for (int p = start; next[p] >= 0;)
       {
         around.push_back(p);
-        loop.push_back(this->Mesh.points[Index(p)].place);
-        p = std::exchange(next[Index(p)], -1);
+        loop.push_back(this->Mesh.points[p].place);
+        p = std::exchange(next[p], -1);
       }
       this->PlaceOn(loop, around);
       this->Loops.push_back(std::move(loop));
@@ -217,7 +216,7 @@ private:
     const auto number = static_cast<int>(this->Loops.size());
     for (std::size_t i = 0; i < around.size(); ++i)
     {
-      QuadPoint& point = this->Mesh.points[Index(around[i])];
+      QuadPoint& point = this->Mesh.points[around[i]];
       point.curve = { number, arc.Start(i) };
       point.fixed = !this->Options.slides || IsCorner(turns[i], this->Options.cornerAngle);
       this->Mesh.boundary.push_back(

@@ -46,7 +46,7 @@ public:
     BlockFaces faces;
     for (std::size_t face = 0; face < this->SideOf.size(); ++face)
     {
-      const Side& side = this->Sides[Index(this->SideOf[face])];
+      const Side& side = this->Sides[this->SideOf[face]];
       const Place begin = this->PlaceOfFace(static_cast<int>(face));
       if (this->Taken[face])
       {
@@ -91,8 +91,7 @@ private:
       for (int face = 0; face < 2 * dimension; ++face)
       {
         Side side{ static_cast<int>(b), face, { face < 2 ? 1 : 0, face < 4 ? 2 : 1 }, {}, first };
-        side.size = { block.cells[Index(side.along[0])],
-          this->IsFlat ? 1 : block.cells[Index(side.along[1])] };
+        side.size = { block.cells[side.along[0]], this->IsFlat ? 1 : block.cells[side.along[1]] };
         first += side.size[0] * side.size[1];
         this->Sides.push_back(side);
         this->SideOf.resize(Index(first), static_cast<int>(this->Sides.size()) - 1);
@@ -111,7 +110,7 @@ private:
 
   Place PlaceOfFace(int face) const
   {
-    const Side& side = this->Sides[Index(this->SideOf[Index(face)])];
+    const Side& side = this->Sides[this->SideOf[face]];
     return { (face - side.first) % side.size[0], (face - side.first) / side.size[0] };
   }
 
@@ -120,15 +119,15 @@ private:
   {
     std::array<int, 3> index{};
     const std::size_t across = Index(side.face / 2);
-    index[across] = side.face % 2 == 0 ? 0 : this->Mesh.blocks[Index(side.block)].cells[across];
-    index[Index(side.along[0])] = point[0];
-    index[Index(side.along[1])] = this->IsFlat ? 0 : point[1];
+    index[across] = side.face % 2 == 0 ? 0 : this->Mesh.blocks[side.block].cells[across];
+    index[side.along[0]] = point[0];
+    index[side.along[1]] = this->IsFlat ? 0 : point[1];
     return index;
   }
 
   int Node(const Side& side, const Place& point) const
   {
-    const MeshBlock& block = this->Mesh.blocks[Index(side.block)];
+    const MeshBlock& block = this->Mesh.blocks[side.block];
     return block.NodeAt(this->IndexOf(side, point));
   }
 
@@ -138,7 +137,7 @@ private:
     const int corners = this->Mesh.CornersOfFace();
     for (int i = 0; i < corners; ++i)
     {
-      key[Index(i)] = this->Node(side, { face[0] + i % 2, face[1] + i / 2 });
+      key[i] = this->Node(side, { face[0] + i % 2, face[1] + i / 2 });
     }
     return MeshFaces::MakeKey(key.data(), Index(corners));
   }
@@ -155,7 +154,7 @@ private:
     for (int face = 0; face < static_cast<int>(this->SideOf.size()); ++face)
     {
       const MeshFaces::Key key =
-        this->KeyOf(this->Sides[Index(this->SideOf[Index(face)])], this->PlaceOfFace(face));
+        this->KeyOf(this->Sides[this->SideOf[face]], this->PlaceOfFace(face));
       if (!this->IsCollapsed(key))
       {
         faces.emplace_back(key, face);
@@ -177,9 +176,9 @@ private:
           (end - i > 2 ? "More than two blocks meet " : "The blocks differ from the cells ") +
           this->PlaceOfKey(key) + ", so the mesh is damaged; make it again.");
       }
-      this->Label[Index(faces[i].second)] = side;
-      this->Partner[Index(faces[i].second)] = isInside ? faces[i + 1].second : -1;
-      this->Partner[Index(faces[end - 1].second)] = isInside ? faces[i].second : -1;
+      this->Label[faces[i].second] = side;
+      this->Partner[faces[i].second] = isInside ? faces[i + 1].second : -1;
+      this->Partner[faces[end - 1].second] = isInside ? faces[i].second : -1;
     }
   }
 
@@ -219,7 +218,7 @@ private:
     {
       for (int column = begin[0]; column < end[0]; ++column)
       {
-        this->Taken[Index(At(side, { column, row }))] = true;
+        this->Taken[At(side, { column, row })] = true;
       }
     }
   }
@@ -261,8 +260,8 @@ private:
 
   BlockConnection Connect(const Side& side, const Place& begin)
   {
-    const int partner = this->Partner[Index(At(side, begin))];
-    const Side& other = this->Sides[Index(this->SideOf[Index(partner)])];
+    const int partner = this->Partner[At(side, begin)];
+    const Side& other = this->Sides[this->SideOf[partner]];
     const Place image = this->PlaceOfFace(partner);
     Orientation best;
     Place bestEnd = begin;
@@ -274,16 +273,15 @@ private:
         [&](const Place& place)
         {
           const int face = At(side, place);
-          const int match = this->Partner[Index(face)];
+          const int match = this->Partner[face];
           const Place there = Image(place, begin, image, way, false);
           // The stamps keep a rectangle from meeting its own image.
-          const bool isGood = match >= 0 && !this->Taken[Index(face)] &&
-            this->Stamp[Index(face)] != this->Trial &&
-            &this->Sides[Index(this->SideOf[Index(match)])] == &other &&
+          const bool isGood = match >= 0 && !this->Taken[face] &&
+            this->Stamp[face] != this->Trial && &this->Sides[this->SideOf[match]] == &other &&
             this->PlaceOfFace(match) == there && this->Fits(side, place, other, there, way);
           if (isGood)
           {
-            this->Stamp[Index(match)] = this->Trial;
+            this->Stamp[match] = this->Trial;
           }
           return isGood;
         });
@@ -315,13 +313,12 @@ private:
     BlockConnection connection = { this->RangeOf(side, begin, end),
       this->RangeOf(other, imageBegin, imageEnd), {} };
     // Across, the step leaves the first block and enters the second.
-    connection.transform[Index(side.face / 2)] =
+    connection.transform[side.face / 2] =
       (1 + other.face / 2) * (side.face % 2 == other.face % 2 ? -1 : 1);
     for (std::size_t i = 0; i < (this->IsFlat ? 1U : 2U); ++i)
     {
       const std::size_t j = way.isSwapped ? 1 - i : i;
-      connection.transform[Index(side.along[j])] =
-        (1 + other.along[i]) * (way.isReversed[i] ? -1 : 1);
+      connection.transform[side.along[j]] = (1 + other.along[i]) * (way.isReversed[i] ? -1 : 1);
     }
     return connection;
   }

@@ -54,7 +54,7 @@ int CellLattice::Transposed(int position) const
 std::vector<int> CellLattice::FaceCorners(int face) const
 {
   Positions positions;
-  for (const int corner : (this->Dimension == 2 ? FacesOfQuad : FacesOfHexahedron)[Index(face)])
+  for (const int corner : (this->Dimension == 2 ? FacesOfQuad : FacesOfHexahedron)[face])
   {
     positions.push_back(this->Corner(corner));
   }

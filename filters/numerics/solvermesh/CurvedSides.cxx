@@ -45,7 +45,7 @@ std::map<int, Master> FindMasters(
     const std::vector<CellFace>& first = faces.OfSide(pair.first);
     for (std::size_t i = 0; i < first.size(); ++i)
     {
-      const CellFace& image = faces.OfSide(pair.second)[Index(match.faces[i])];
+      const CellFace& image = faces.OfSide(pair.second)[match.faces[i]];
       masters[static_cast<int>(faces.NumberOf(image))] = {
         static_cast<int>(faces.NumberOf(first[i])), InPlane(pair.motion, plane)
       };
@@ -108,16 +108,15 @@ std::vector<CurvedSide> FindCurvedSides(const SolverMesh& quads, const MeshFaces
     const CellFace& face = faces.BoundaryFaces()[i];
     const int side = static_cast<int>(faces.NumberOf(face));
     const int curve = quads.curve[i];
-    if (masters.count(side) > 0 || curve < 0 || !evaluators[Index(curve)])
+    if (masters.count(side) > 0 || curve < 0 || !evaluators[curve])
     {
       continue;
     }
     const std::vector<int> ends = lattice.Face(face.face);
     const auto place = [&](std::size_t end)
-    { return plane.ToPlane(quads.points[Index(quads.Cell(face.cell)[ends[end]])]); };
+    { return plane.ToPlane(quads.points[quads.Cell(face.cell)[ends[end]]]); };
     found[side] = result.size();
-    result.push_back(
-      SideOn(*evaluators[Index(curve)], side, place(0), place(1), order, sagittas[Index(curve)]));
+    result.push_back(SideOn(*evaluators[curve], side, place(0), place(1), order, sagittas[curve]));
   }
   for (const CellFace& face : faces.BoundaryFaces())
   {

@@ -24,8 +24,8 @@ void ForEachEdge(const MeshBlock& block, int direction, const Function& function
   for (int edge = 0; edge < 4; ++edge)
   {
     std::array<int, 3> start{};
-    start[Index(first)] = edge % 2 == 0 ? 0 : block.cells[Index(first)];
-    start[Index(second)] = edge / 2 == 0 ? 0 : block.cells[Index(second)];
+    start[first] = edge % 2 == 0 ? 0 : block.cells[first];
+    start[second] = edge / 2 == 0 ? 0 : block.cells[second];
     function(start);
   }
 }
@@ -43,31 +43,31 @@ public:
       this->Cuts.emplace_back();
       for (int d = 0; d < Directions; ++d)
       {
-        this->Cuts.back()[Index(d)].resize(Index(block.cells[Index(d)] + 1), false);
+        this->Cuts.back()[d].resize(Index(block.cells[d] + 1), false);
       }
       for (int d = 0; d < Directions; ++d)
       {
         this->Add(this->Cuts.size() - 1, d, 0);
-        this->Add(this->Cuts.size() - 1, d, block.cells[Index(d)]);
+        this->Add(this->Cuts.size() - 1, d, block.cells[d]);
       }
     }
   }
 
   void Add(std::size_t block, int direction, int index)
   {
-    this->Cuts[block][Index(direction)][Index(index)] = true;
+    this->Cuts[block][direction][index] = true;
     ForEachEdge(this->Blocks[block], direction,
       [&](std::array<int, 3> start)
       {
-        start[Index(direction)] = index;
-        this->IsVertex[Index(this->Blocks[block].NodeAt(start))] = true;
+        start[direction] = index;
+        this->IsVertex[this->Blocks[block].NodeAt(start)] = true;
       });
   }
 
   /// Cuts a block in the middle, or counts that it has too few cells for it.
   void Halve(std::size_t block, int direction)
   {
-    const int cells = this->Blocks[block].cells[Index(direction)];
+    const int cells = this->Blocks[block].cells[direction];
     if (cells < 2)
     {
       ++this->TooShort;
@@ -90,11 +90,10 @@ public:
           ForEachEdge(this->Blocks[b], d,
             [&](std::array<int, 3> place)
             {
-              for (int t = 1; t < this->Blocks[b].cells[Index(d)]; ++t)
+              for (int t = 1; t < this->Blocks[b].cells[d]; ++t)
               {
-                place[Index(d)] = t;
-                if (!this->Cuts[b][Index(d)][Index(t)] &&
-                  this->IsVertex[Index(this->Blocks[b].NodeAt(place))])
+                place[d] = t;
+                if (!this->Cuts[b][d][t] && this->IsVertex[this->Blocks[b].NodeAt(place)])
                 {
                   this->Add(b, d, t);
                   isNew = true;
@@ -120,7 +119,7 @@ public:
       {
         for (int t = 0; t <= this->Blocks[b].cells[d]; ++t)
         {
-          if (this->Cuts[b][d][Index(t)])
+          if (this->Cuts[b][d][t])
           {
             at[d].push_back(t);
           }
@@ -134,7 +133,7 @@ public:
           std::array<int, 3> high{};
           for (std::size_t d = 0; d < at.size(); ++d)
           {
-            low[d] = at[d][Index(index[d])];
+            low[d] = at[d][index[d]];
             high[d] = at[d][Index(index[d]) + 1];
           }
           pieces.push_back(Piece(this->Blocks[b], low, high));
@@ -169,7 +168,7 @@ double CurvatureAlong(const SolverMesh& mesh, const MeshBlock& block, int direct
     {
       const std::vector<int> nodes = EdgeNodes(block, direction, start);
       const auto distance = [&mesh](int a, int b)
-      { return (mesh.points[Index(a)] - mesh.points[Index(b)]).norm(); };
+      { return (mesh.points[a] - mesh.points[b]).norm(); };
       double length = 0.0;
       for (std::size_t i = 1; i < nodes.size(); ++i)
       {
@@ -192,16 +191,16 @@ bool IsFolded(const SolverMesh& mesh, const MeshBlock& block)
     for (int d = 0; d < Directions; ++d)
     {
       const bool isEnd = (corner >> d & 1) == 1;
-      place[Index(d)] = isEnd ? block.cells[Index(d)] : 0;
+      place[d] = isEnd ? block.cells[d] : 0;
       sign *= isEnd ? -1.0 : 1.0;
     }
-    const Eigen::Vector3d& origin = mesh.points[Index(block.NodeAt(place))];
+    const Eigen::Vector3d& origin = mesh.points[block.NodeAt(place)];
     Eigen::Matrix3d edges;
     for (int d = 0; d < Directions; ++d)
     {
       std::array<int, 3> other = place;
-      other[Index(d)] = block.cells[Index(d)] - place[Index(d)];
-      edges.col(d) = mesh.points[Index(block.NodeAt(other))] - origin;
+      other[d] = block.cells[d] - place[d];
+      edges.col(d) = mesh.points[block.NodeAt(other)] - origin;
     }
     const bool isOnAxis = edges.colwise().norm().minCoeff() == 0.0;
     if (!isOnAxis && sign * edges.determinant() <= 0.0)
@@ -226,7 +225,7 @@ void CutFoldedBlocks(const SolverMesh& mesh, const std::vector<MeshBlock>& block
     for (int d = 0; d < Directions; ++d)
     {
       const double curvature = CurvatureAlong(mesh, blocks[b], d);
-      if (blocks[b].cells[Index(d)] > 1 && curvature > largest)
+      if (blocks[b].cells[d] > 1 && curvature > largest)
       {
         largest = curvature;
         direction = d;
@@ -281,8 +280,8 @@ std::vector<MeshBlock> CutBlocks(const SolverMesh& mesh, const MeshFaces& faces)
   {
     for (int d = 0; d < Directions; ++d)
     {
-      first.Add(Index(patch.range.block), d, patch.range.begin[Index(d)]);
-      first.Add(Index(patch.range.block), d, patch.range.end[Index(d)]);
+      first.Add(Index(patch.range.block), d, patch.range.begin[d]);
+      first.Add(Index(patch.range.block), d, patch.range.end[d]);
     }
   }
   first.Spread();

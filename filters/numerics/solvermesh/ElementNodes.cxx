@@ -1,7 +1,5 @@
 #include "ElementNodes.h"
 
-#include "Index.h"
-
 #include <algorithm>
 
 namespace crossfield
@@ -20,7 +18,7 @@ ElementNodes::ElementNodes(const SolverMesh& mesh, NodeOrder order)
     this->FacePositions.emplace_back();
     for (const int position : ofFace)
     {
-      this->FacePositions.back().push_back(all[Index(position)]);
+      this->FacePositions.back().push_back(all[position]);
     }
   }
   std::vector<bool> isUsed(mesh.points.size(), false);
@@ -28,13 +26,13 @@ ElementNodes::ElementNodes(const SolverMesh& mesh, NodeOrder order)
   {
     for (const int position : this->Positions)
     {
-      isUsed[Index(mesh.Cell(cell)[position])] = true;
+      isUsed[mesh.Cell(cell)[position]] = true;
     }
   }
   for (int point = 0; point < static_cast<int>(isUsed.size()); ++point)
   {
     this->Numbers.push_back(point);
-    if (isUsed[Index(point)])
+    if (isUsed[point])
     {
       this->Used.push_back(point);
     }
@@ -47,7 +45,7 @@ ElementNodes::ElementNodes(const SolverMesh& mesh, NodeOrder order, int first)
   std::fill(this->Numbers.begin(), this->Numbers.end(), -1);
   for (const int point : this->Used)
   {
-    this->Numbers[Index(point)] = first++;
+    this->Numbers[point] = first++;
   }
 }
 
@@ -71,8 +69,8 @@ std::vector<int> ElementNodes::OfCell(int cell) const
   {
     return nodes;
   }
-  const auto bottom = [&](int i) { return nodes[Index((collapsed + i) % 4)]; };
-  const auto top = [&](int i) { return nodes[Index(4 + (collapsed + i) % 4)]; };
+  const auto bottom = [&](int i) { return nodes[(collapsed + i) % 4]; };
+  const auto top = [&](int i) { return nodes[4 + (collapsed + i) % 4]; };
   if (this->Order == NodeOrder::Vtk)
   {
     return { bottom(0), top(3), bottom(3), bottom(1), top(2), bottom(2) };
@@ -82,7 +80,7 @@ std::vector<int> ElementNodes::OfCell(int cell) const
 
 std::vector<int> ElementNodes::OfFace(const CellFace& face) const
 {
-  std::vector<int> nodes = this->NodesAt(face.cell, this->FacePositions[Index(face.face)]);
+  std::vector<int> nodes = this->NodesAt(face.cell, this->FacePositions[face.face]);
   if (this->HasPrisms)
   {
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

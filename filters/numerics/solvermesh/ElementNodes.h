@@ -32,7 +32,7 @@ public:
   /// Returns the points that cells have in this format, in ascending order.
   const std::vector<int>& UsedPoints() const { return this->Used; }
   /// Returns the number of a point, −1 if it has none.
-  int NumberOf(int point) const { return this->Numbers[Index(point)]; }
+  int NumberOf(int point) const { return this->Numbers[point]; }
 
 private:
   std::vector<int> NodesAt(int cell, const std::vector<int>& positions) const;

@@ -55,7 +55,7 @@ double SignedSize(const SolverMesh& mesh, const MeshBlock& block)
     [&](const std::array<int, 3>& at)
     {
       const auto corner = [&](int i, int j, int k) -> const Eigen::Vector3d& {
-        return mesh.points[Index(block.NodeAt({ at[0] + i, at[1] + j, at[2] + k }))];
+        return mesh.points[block.NodeAt({ at[0] + i, at[1] + j, at[2] + k })];
       };
       const Eigen::Vector3d normal =
         (corner(1, 1, 0) - corner(0, 0, 0)).cross(corner(0, 1, 0) - corner(1, 0, 0));
@@ -97,10 +97,10 @@ std::vector<MeshBlock> GatherBlocks(const SolverMesh& mesh, const std::vector<Bl
     }
     for (std::size_t d = 0; d < Index(mesh.dimension); ++d)
     {
-      int& count = blocks[Index(place.block)].cells[d];
+      int& count = blocks[place.block].cells[d];
       count = std::max(count, place.index[d] + 1);
     }
-    cellsOf[Index(place.block)].push_back(cell);
+    cellsOf[place.block].push_back(cell);
   }
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
@@ -127,9 +127,9 @@ std::vector<MeshBlock> GatherBlocks(const SolverMesh& mesh, const std::vector<Bl
 std::vector<int> EdgeNodes(const MeshBlock& block, int direction, std::array<int, 3> start)
 {
   std::vector<int> nodes;
-  for (int t = 0; t <= block.cells[Index(direction)]; ++t)
+  for (int t = 0; t <= block.cells[direction]; ++t)
   {
-    start[Index(direction)] = t;
+    start[direction] = t;
     nodes.push_back(block.NodeAt(start));
   }
   return nodes;

@@ -33,7 +33,7 @@ MeshFaces::MeshFaces(const SolverMesh& mesh)
   std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Faces[next[Index(smallest[i])]++] = static_cast<int>(i);
+    this->Faces[next[smallest[i]]++] = static_cast<int>(i);
   }
   this->FindPartners();
   this->FindSides();
@@ -65,7 +65,7 @@ MeshFaces::Key MeshFaces::KeyOf(std::size_t face) const
 std::vector<std::size_t> MeshFaces::Find(const Key& key) const
 {
   std::vector<std::size_t> found;
-  for (std::size_t i = this->Starts[Index(key[0])]; i < this->Starts[Index(key[0]) + 1]; ++i)
+  for (std::size_t i = this->Starts[key[0]]; i < this->Starts[Index(key[0]) + 1]; ++i)
   {
     const std::size_t face = Index(this->Faces[i]);
     if (this->KeyOf(face) == key)
@@ -87,7 +87,7 @@ void MeshFaces::FindPartners()
     for (std::size_t i = first; i < this->Starts[point + 1]; ++i)
     {
       const Key key = this->KeyOf(Index(this->Faces[i]));
-      int& partner = this->PartnerOfFace[Index(this->Faces[i])];
+      int& partner = this->PartnerOfFace[this->Faces[i]];
       const auto twin = std::find(keys.begin(), keys.end(), key);
       if (this->Mesh.dimension == 3 && key[1] == key[2])
       {
@@ -96,7 +96,7 @@ void MeshFaces::FindPartners()
       else if (twin != keys.end())
       {
         partner = this->Faces[first + static_cast<std::size_t>(twin - keys.begin())];
-        this->PartnerOfFace[Index(partner)] = this->Faces[i];
+        this->PartnerOfFace[partner] = this->Faces[i];
       }
       keys.push_back(key);
     }
@@ -115,11 +115,11 @@ void MeshFaces::FindSides()
   {
     const Key key = MakeKey(this->Mesh.faces.data() + Index(i) * corners, corners);
     const std::vector<std::size_t> found = this->Find(key);
-    const int side = this->Mesh.side[Index(i)];
+    const int side = this->Mesh.side[i];
     if (found.empty() || this->SideOfFace[found[0]] >= 0)
     {
-      throw Error("Side '" + this->Mesh.sideNames[Index(side)] + "' has " + article + kind +
-        " at " + PlaceOf(this->Mesh, key[0]) +
+      throw Error("Side '" + this->Mesh.sideNames[side] + "' has " + article + kind + " at " +
+        PlaceOf(this->Mesh, key[0]) +
         (found.empty() ? " that belongs to no cell" : " that is given twice") +
         "; give the boundary of this mesh.");
     }
@@ -127,9 +127,9 @@ void MeshFaces::FindSides()
     {
       this->SideOfFace[face] = side;
     }
-    this->Inside[Index(side)] = this->Inside[Index(side)] || found.size() > 1;
+    this->Inside[side] = this->Inside[side] || found.size() > 1;
     this->OfBoundary.push_back(this->FaceOf(found[0]));
-    this->FacesOfSide[Index(side)].push_back(this->OfBoundary.back());
+    this->FacesOfSide[side].push_back(this->OfBoundary.back());
   }
   for (std::size_t i = 0; i < this->Count(); ++i)
   {
@@ -154,7 +154,7 @@ void MeshFaces::RequireNoInnerSides(const std::string& format) const
   if (inner != this->Inside.end())
   {
     throw Error("The format " + format + " has sides on the boundary only, and '" +
-      this->Mesh.sideNames[static_cast<std::size_t>(inner - this->Inside.begin())] +
+      this->Mesh.sideNames[inner - this->Inside.begin()] +
       "' is inside; leave it out, or write a .msh or .vtu file.");
   }
 }

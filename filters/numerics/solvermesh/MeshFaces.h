@@ -59,9 +59,9 @@ public:
   const std::vector<CellFace>& BoundaryFaces() const { return this->OfBoundary; }
   /// Returns the boundary faces of all sides, in the order of the mesh.
   const std::vector<std::vector<CellFace>>& OfSides() const { return this->FacesOfSide; }
-  const std::vector<CellFace>& OfSide(int side) const { return this->FacesOfSide[Index(side)]; }
+  const std::vector<CellFace>& OfSide(int side) const { return this->FacesOfSide[side]; }
   /// Returns whether there are cells on both sides of a face of a side.
-  bool IsInside(int side) const { return this->Inside[Index(side)]; }
+  bool IsInside(int side) const { return this->Inside[side]; }
   /// Throws Error, which calls the format `format`, if a side is inside.
   void RequireNoInnerSides(const std::string& format) const;
 

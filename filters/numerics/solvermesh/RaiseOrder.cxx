@@ -41,7 +41,7 @@ DomainPlane PlaneOf(const SolverMesh& quads)
   Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(used.size()));
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    places.col(static_cast<Eigen::Index>(i)) = quads.points[Index(used[i])];
+    places.col(static_cast<Eigen::Index>(i)) = quads.points[used[i]];
   }
   return DomainPlane::Find(places);
 }
@@ -68,7 +68,7 @@ public:
     }
     for (int s = 0; s < 4; ++s)
     {
-      this->Along[Index(s)] = this->Lattice.Face(s);
+      this->Along[s] = this->Lattice.Face(s);
     }
     this->RequireSimpleEdges();
     for (CurvedSide& side :
@@ -124,7 +124,7 @@ private:
     strip.offsets = start.offsets;
     for (int side = start.side; side >= 0; side = this->TwinOf(Opposite(side)))
     {
-      this->Passages[Index(side / 4)].push_back({ this->Strips.size(), strip.Length() });
+      this->Passages[side / 4].push_back({ this->Strips.size(), strip.Length() });
       strip.sides.push_back(side);
     }
     this->Strips.push_back(std::move(strip));
@@ -135,7 +135,7 @@ private:
   {
     for (int row = 0; row < std::min(strip.rows, strip.Length()); ++row)
     {
-      const int side = strip.sides[Index(row)];
+      const int side = strip.sides[row];
       const double part = 1.0 - static_cast<double>(row) / strip.rows;
       EdgeOffsets& offsets = ofEdge[this->EdgeOf(side)];
       const EdgeOffsets& own = this->IsForward(side) ? strip.offsets : Reversed(strip.offsets);
@@ -168,23 +168,23 @@ private:
     for (int s = 0; s < 4; ++s)
     {
       const int side = 4 * quad + s;
-      const Point& from = this->Places[Index(this->StartOf(side))];
-      const Point along = this->Places[Index(this->EndOf(side))] - from;
+      const Point& from = this->Places[this->StartOf(side)];
+      const Point along = this->Places[this->EndOf(side)] - from;
       EdgeOffsets offsets = ofEdge ? (*ofEdge)[this->EdgeOf(side)] : EdgeOffsets();
       if (!offsets.empty() && !this->IsForward(side))
       {
         offsets = Reversed(offsets);
       }
-      nodes.col(this->Along[Index(s)][0]) = from;
+      nodes.col(this->Along[s][0]) = from;
       for (int k = 1; k < p; ++k)
       {
         Point node = from + static_cast<double>(k) / p * along;
         if (!offsets.empty())
         {
-          const std::complex<double> offset = offsets[Index(k - 1)] * AsComplex(along);
+          const std::complex<double> offset = offsets[k - 1] * AsComplex(along);
           node += Point(offset.real(), offset.imag());
         }
-        nodes.col(this->Along[Index(s)][Index(k)]) = node;
+        nodes.col(this->Along[s][k]) = node;
       }
     }
     this->FillInside(nodes);
@@ -221,7 +221,7 @@ private:
       std::vector<bool> grows(this->Strips.size(), false);
       for (int q = 0; q < this->Quads.CellCount(); ++q)
       {
-        if (this->Passages[Index(q)].empty())
+        if (this->Passages[q].empty())
         {
           continue;
         }
@@ -231,7 +231,7 @@ private:
         {
           continue;
         }
-        for (const Passage& passage : this->Passages[Index(q)])
+        for (const Passage& passage : this->Passages[q])
         {
           const Strip& strip = this->Strips[passage.strip];
           grows[passage.strip] =
@@ -273,21 +273,21 @@ private:
       for (int s = 0; s < 4; ++s)
       {
         const int side = 4 * quad + s;
-        const std::vector<int>& along = this->Along[Index(s)];
+        const std::vector<int>& along = this->Along[s];
         const auto exact = this->Exact.find(side);
         for (int k = 1; k < p && exact != this->Exact.end(); ++k)
         {
-          nodes.col(along[Index(k)]) = exact->second[Index(k - 1)]; // on the curve to rounding
+          nodes.col(along[k]) = exact->second[k - 1]; // on the curve to rounding
         }
         int& first = firstNode[this->EdgeOf(side)];
         const bool isNew = first < 0;
-        numbers[Index(along[0])] = this->StartOf(side);
+        numbers[along[0]] = this->StartOf(side);
         for (int k = 1; k < p; ++k)
         {
-          const int node = along[Index(this->IsForward(side) ? k : p - k)];
+          const int node = along[this->IsForward(side) ? k : p - k];
           const int number = isNew ? this->AddPoint(nodes.col(node)) : first + k - 1;
           first = k == 1 ? number : first;
-          numbers[Index(node)] = number;
+          numbers[node] = number;
         }
       }
       this->FillInside(nodes);

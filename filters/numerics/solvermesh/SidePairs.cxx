@@ -25,8 +25,8 @@ std::vector<int> PointsOf(const SolverMesh& mesh, const std::vector<CellFace>& f
 
 PairMatch MatchPair(const SolverMesh& mesh, const MeshFaces& faces, const SidePair& pair)
 {
-  const std::string sides = "The periodic sides '" + mesh.sideNames[Index(pair.first)] + "' and '" +
-    mesh.sideNames[Index(pair.second)] + "' have ";
+  const std::string sides = "The periodic sides '" + mesh.sideNames[pair.first] + "' and '" +
+    mesh.sideNames[pair.second] + "' have ";
   const std::vector<int> from = PointsOf(mesh, faces.OfSide(pair.first));
   const std::vector<int> to = PointsOf(mesh, faces.OfSide(pair.second));
   const std::vector<int> found = FindImages(mesh.points, pair.motion, from, to);

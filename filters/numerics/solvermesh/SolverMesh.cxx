@@ -78,7 +78,7 @@ bool SolverMesh::HasConstantHeight() const
 
 std::string PlaceOf(const SolverMesh& mesh, int point)
 {
-  const Eigen::Vector3d& place = mesh.points[Index(point)];
+  const Eigen::Vector3d& place = mesh.points[point];
   return "(" + FormatNumber(place.x()) + ", " + FormatNumber(place.y()) + ", " +
     FormatNumber(place.z()) + ")";
 }
@@ -105,7 +105,7 @@ void OrientCells(SolverMesh& mesh)
   {
     const int* nodes = mesh.Cell(cell);
     const auto corner = [&](int i) -> const Eigen::Vector3d&
-    { return mesh.points[Index(nodes[lattice.Corner(i)])]; };
+    { return mesh.points[nodes[lattice.Corner(i)]]; };
     double volume = 0.0; // twice the area of the corners, or a multiple of the volume
     if (mesh.dimension == 2)
     {
@@ -121,7 +121,7 @@ void OrientCells(SolverMesh& mesh)
     {
       for (int node = 0; node < count; ++node)
       {
-        turned[Index(node)] = nodes[lattice.Transposed(node)];
+        turned[node] = nodes[lattice.Transposed(node)];
       }
       std::copy(turned.begin(), turned.end(),
         mesh.cells.begin() + static_cast<std::ptrdiff_t>(cell) * count);

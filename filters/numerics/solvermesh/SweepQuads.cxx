@@ -37,7 +37,7 @@ Eigen::Vector3d NormalOf(const SolverMesh& quads)
   for (int cell = 0; cell < quads.CellCount(); ++cell)
   {
     const auto corner = [&](int i) -> const Eigen::Vector3d&
-    { return quads.points[Index(quads.Cell(cell)[lattice.Corner(i)])]; };
+    { return quads.points[quads.Cell(cell)[lattice.Corner(i)]]; };
     area += (corner(2) - corner(0)).cross(corner(3) - corner(1));
   }
   if (quads.HasConstantHeight())
@@ -104,12 +104,12 @@ public:
     }
   }
 
-  bool IsOnAxis(int point) const { return this->OnAxis[Index(point)]; }
+  bool IsOnAxis(int point) const { return this->OnAxis[point]; }
 
   /// Returns the place of a point after a part of the sweep, 0 to 1.
   Eigen::Vector3d At(int point, double part) const
   {
-    const Eigen::Vector3d& start = this->Quads.points[Index(point)];
+    const Eigen::Vector3d& start = this->Quads.points[point];
     if (this->Settings.kind == Sweep::Translation)
     {
       return start + part * this->Settings.height * this->Normal;
@@ -121,7 +121,7 @@ public:
       return start;
     }
     const int across = 1 - this->Settings.axis;
-    const double distance = this->OnAxis[Index(point)] ? 0.0 : start[across];
+    const double distance = this->OnAxis[point] ? 0.0 : start[across];
     Eigen::Vector3d place = start;
     place[across] = distance * std::cos(angle);
     place.z() += this->Normal.z() * std::abs(distance) * std::sin(angle);
@@ -137,9 +137,9 @@ private:
     int negative = -1;
     for (const int point : this->Quads.cells)
     {
-      const double distance = this->Quads.points[Index(point)][across];
-      this->OnAxis[Index(point)] = std::abs(distance) <= tolerance;
-      if (!this->OnAxis[Index(point)])
+      const double distance = this->Quads.points[point][across];
+      this->OnAxis[point] = std::abs(distance) <= tolerance;
+      if (!this->OnAxis[point])
       {
         (distance > 0.0 ? positive : negative) = point;
       }
@@ -160,7 +160,7 @@ private:
 
 int SourceOf(const std::vector<int>& sources, int part)
 {
-  return sources.empty() ? part : sources[Index(part)];
+  return sources.empty() ? part : sources[part];
 }
 
 /// Numbers of the points at the levels of a sweep; those on the axis are at all levels the same.
@@ -184,7 +184,7 @@ public:
         int& number = this->Numbers[Index(level) * this->PointCount + Index(point)];
         if (level > 0 && places.IsOnAxis(point))
         {
-          number = this->Numbers[Index(point)];
+          number = this->Numbers[point];
           continue;
         }
         number = static_cast<int>(mesh.points.size());
@@ -211,7 +211,7 @@ private:
       std::array<bool, 4> onAxis{};
       for (int corner = 0; corner < 4; ++corner)
       {
-        onAxis[Index(corner)] = places.IsOnAxis(quads.Cell(cell)[lattice.Corner(corner)]);
+        onAxis[corner] = places.IsOnAxis(quads.Cell(cell)[lattice.Corner(corner)]);
       }
       const auto count = std::count(onAxis.begin(), onAxis.end(), true);
       const auto first = std::find(onAxis.begin(), onAxis.end(), true) - onAxis.begin();
@@ -253,19 +253,19 @@ void RemoveEmptySides(SolverMesh& mesh)
   std::vector<std::string> names;
   for (const int side : std::set<int>(mesh.side.begin(), mesh.side.end()))
   {
-    number[Index(side)] = static_cast<int>(names.size());
-    names.push_back(mesh.sideNames[Index(side)]);
+    number[side] = static_cast<int>(names.size());
+    names.push_back(mesh.sideNames[side]);
   }
   for (int& side : mesh.side)
   {
-    side = number[Index(side)];
+    side = number[side];
   }
   mesh.sideNames = names;
   std::vector<SidePair> pairs;
   for (const SidePair& pair : mesh.pairs)
   {
-    const int first = number[Index(pair.first)];
-    const int second = number[Index(pair.second)];
+    const int first = number[pair.first];
+    const int second = number[pair.second];
     if (first >= 0 && second >= 0)
     {
       pairs.push_back({ first, second, pair.motion });
@@ -316,7 +316,7 @@ SolverMesh SweepQuads(const SolverMesh& quads, const Sweep& sweep)
           mesh.cells.push_back(points.At(quads.Cell(cell)[node], level));
         }
       }
-      mesh.region.push_back(quads.region[Index(cell)]);
+      mesh.region.push_back(quads.region[cell]);
       mesh.sources.cells.push_back(SourceOf(quads.sources.cells, cell));
     }
     for (int face = 0; face < quads.FaceCount(); ++face)
@@ -327,7 +327,7 @@ SolverMesh SweepQuads(const SolverMesh& quads, const Sweep& sweep)
         points.At(b, (layer + 1) * p), points.At(a, (layer + 1) * p) };
       if (corners[0] != corners[3] || corners[1] != corners[2]) // else the edge is on the axis
       {
-        addFace(corners, quads.side[Index(face)], SourceOf(quads.sources.faces, face));
+        addFace(corners, quads.side[face], SourceOf(quads.sources.faces, face));
       }
     }
   }
@@ -342,7 +342,7 @@ SolverMesh SweepQuads(const SolverMesh& quads, const Sweep& sweep)
         std::array<int, 4> corners{};
         for (int corner = 0; corner < 4; ++corner)
         {
-          corners[Index(corner)] =
+          corners[corner] =
             points.At(quads.Cell(cell)[lattice.Corner(corner)], end == 0 ? 0 : sweep.layers * p);
         }
         addFace(corners, side, -1);

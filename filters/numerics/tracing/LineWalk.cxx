@@ -1,7 +1,5 @@
 #include "LineWalk.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +53,7 @@ LineSegment LineWalk::StartFromSide(int boundaryPosition) const
   const auto [triangle, side] = this->Map.topology->SideOfBoundary(boundaryPosition);
   LineSegment segment;
   segment.triangle = triangle;
-  segment.direction = (this->Map.directions[Index(boundaryPosition)] + 1) % 4;
+  segment.direction = (this->Map.directions[boundaryPosition] + 1) % 4;
   const Point middle =
     0.5 * (this->Map.At(segment.triangle, side) + this->Map.At(segment.triangle, (side + 1) % 3));
   segment.level = middle[segment.AlongU() ? 1 : 0];
@@ -112,7 +110,7 @@ LineSegment LineWalk::Continue(const LineSegment& segment) const
   next.offset = segment.offset;
   next.entryLength = segment.exitLength;
   next.entry = { side, 1.0 - segment.exit.fraction };
-  if (this->Map.seams[Index(segment.triangle)][Index(segment.exit.side)] != 0)
+  if (this->Map.seams[segment.triangle][segment.exit.side] != 0)
   {
     const SeamTransition across = this->Map.Across(segment.triangle, segment.exit.side);
     next.direction = (segment.direction + across.rotation) % 4;
@@ -129,9 +127,9 @@ LineSegment LineWalk::Continue(const LineSegment& segment) const
 
 SpacePoint LineWalk::PlaceAt(int triangle, const OutlinePoint& point) const
 {
-  const auto& v = this->Map.topology->mesh.triangles[Index(triangle)];
-  const SpacePoint from = this->Map.topology->PositionOf(v[Index(point.side)]);
-  const SpacePoint to = this->Map.topology->PositionOf(v[Index((point.side + 1) % 3)]);
+  const auto& v = this->Map.topology->mesh.triangles[triangle];
+  const SpacePoint from = this->Map.topology->PositionOf(v[point.side]);
+  const SpacePoint to = this->Map.topology->PositionOf(v[(point.side + 1) % 3]);
   return from + point.fraction * (to - from);
 }
 

@@ -10,7 +10,7 @@ double TMesh::SideLength(const TPatch& patch, std::size_t side) const
   double length = 0.0;
   for (const int h : patch.sides[side])
   {
-    length += this->arcs[static_cast<std::size_t>(h / 2)].length;
+    length += this->arcs[h / 2].length;
   }
   return length;
 }

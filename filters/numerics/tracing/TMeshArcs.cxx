@@ -1,6 +1,5 @@
 #include "TMeshArcs.h"
 
-#include "Index.h"
 #include "TMeshStops.h"
 
 #include <algorithm>
@@ -54,13 +53,13 @@ private:
     {
       if (this->Stops.Joined(n) == n)
       {
-        number[Index(n)] = static_cast<int>(this->Mesh.nodes.size());
-        this->Mesh.nodes.push_back(nodes[Index(n)]);
+        number[n] = static_cast<int>(this->Mesh.nodes.size());
+        this->Mesh.nodes.push_back(nodes[n]);
       }
     }
     for (THalfEdge& half : this->Mesh.halfEdges)
     {
-      half.node = number[Index(half.node)];
+      half.node = number[half.node];
     }
   }
 
@@ -79,7 +78,7 @@ private:
 
   const SpacePoint& PlaceOf(const TMeshStop& stop) const
   {
-    return this->Stops.GetNodes()[Index(stop.node)].place;
+    return this->Stops.GetNodes()[stop.node].place;
   }
 
   /// Returns the points where a separatrix passes from triangle to triangle, strictly between two
@@ -119,7 +118,7 @@ private:
     AddPieces(line, from, std::min(to, line.length), pieces);
     if (line.end == SeparatrixEnd::HeadOn)
     {
-      const TracedSeparatrix& other = this->Lines[Index(line.other)];
+      const TracedSeparatrix& other = this->Lines[line.other];
       std::vector<ChartPiece> ofOther;
       AddPieces(
         other, line.headOnLength - to, std::min(line.headOnLength - from, other.length), ofOther);
@@ -165,7 +164,7 @@ private:
       add(this->Polyline(line, stops[j].at, std::min(stops[j + 1].at, line.length)));
       if (both)
       {
-        const TracedSeparatrix& other = this->Lines[Index(line.other)];
+        const TracedSeparatrix& other = this->Lines[line.other];
         std::vector<SpacePoint> ofOther = this->Polyline(other, line.headOnLength - stops[j + 1].at,
           std::min(line.headOnLength - stops[j].at, other.length));
         std::reverse(ofOther.begin(), ofOther.end());
@@ -184,7 +183,7 @@ private:
     for (const double lap : { 0.0, loopLength })
     {
       double at = lap;
-      for (const int vertex : this->Topology.alignedVertices[Index(loop)])
+      for (const int vertex : this->Topology.alignedVertices[loop])
       {
         const int position = this->Stops.PositionAt(vertex);
         const auto [triangle, side] = this->Topology.SideOfBoundary(position);
@@ -195,8 +194,8 @@ private:
         const double b = std::min(to, at + length) - at;
         if (b > a || (pieces.empty() && b == a && to == from))
         {
-          pieces.push_back({ triangle, this->Map.directions[Index(position)],
-            start + (a / length) * edge, start + (b / length) * edge, position });
+          pieces.push_back({ triangle, this->Map.directions[position], start + (a / length) * edge,
+            start + (b / length) * edge, position });
         }
         at += length;
       }
@@ -210,7 +209,7 @@ private:
     std::vector<TMeshStop> stops;
     std::vector<std::pair<double, SpacePoint>> vertices;
     double passed = 0.0;
-    for (const int vertex : this->Topology.alignedVertices[Index(loop)])
+    for (const int vertex : this->Topology.alignedVertices[loop])
     {
       const int position = this->Stops.PositionAt(vertex);
       const auto [triangle, side] = this->Topology.SideOfBoundary(position);

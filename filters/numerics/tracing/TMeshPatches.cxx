@@ -1,7 +1,6 @@
 #include "TMeshPatches.h"
 
 #include "CoarseMeshError.h"
-#include "Index.h"
 #include "TMeshArcs.h"
 
 #include <algorithm>
@@ -16,13 +15,12 @@ std::vector<std::vector<int>> Stars(const TMesh& mesh)
   std::vector<std::vector<int>> stars(mesh.nodes.size());
   for (int h = 0; h < static_cast<int>(mesh.halfEdges.size()); ++h)
   {
-    stars[Index(mesh.halfEdges[Index(h)].node)].push_back(h);
+    stars[mesh.halfEdges[h].node].push_back(h);
   }
   for (std::vector<int>& star : stars)
   {
     std::sort(star.begin(), star.end(),
-      [&mesh](int a, int b)
-      { return mesh.halfEdges[Index(a)].slot < mesh.halfEdges[Index(b)].slot; });
+      [&mesh](int a, int b) { return mesh.halfEdges[a].slot < mesh.halfEdges[b].slot; });
   }
   return stars;
 }
@@ -41,20 +39,19 @@ std::vector<int> LinkHalfEdges(TMesh& mesh)
   for (int h = 0; h < static_cast<int>(mesh.halfEdges.size()); ++h)
   {
     const int back = TMesh::Twin(h);
-    const int at = mesh.halfEdges[Index(back)].node;
-    const std::vector<int>& star = stars[Index(at)];
+    const int at = mesh.halfEdges[back].node;
+    const std::vector<int>& star = stars[at];
     const auto here = std::find(star.begin(), star.end(), back);
-    const int slot = mesh.halfEdges[Index(back)].slot;
+    const int slot = mesh.halfEdges[back].slot;
     if (here != star.begin())
     {
-      mesh.halfEdges[Index(h)].next = *(here - 1);
-      angles[Index(h)] = slot - mesh.halfEdges[Index(*(here - 1))].slot;
+      mesh.halfEdges[h].next = *(here - 1);
+      angles[h] = slot - mesh.halfEdges[*(here - 1)].slot;
     }
-    else if (!AtBoundary(mesh.nodes[Index(at)]))
+    else if (!AtBoundary(mesh.nodes[at]))
     {
-      mesh.halfEdges[Index(h)].next = star.back();
-      angles[Index(h)] =
-        slot - mesh.halfEdges[Index(star.back())].slot + mesh.nodes[Index(at)].quarters;
+      mesh.halfEdges[h].next = star.back();
+      angles[h] = slot - mesh.halfEdges[star.back()].slot + mesh.nodes[at].quarters;
     }
   }
   return angles;
@@ -72,27 +69,27 @@ void CollectPatches(TMesh& mesh)
   const std::vector<int> angles = LinkHalfEdges(mesh);
   for (int first = 0; first < static_cast<int>(mesh.halfEdges.size()); ++first)
   {
-    if (mesh.halfEdges[Index(first)].patch >= 0 || mesh.halfEdges[Index(first)].next < 0)
+    if (mesh.halfEdges[first].patch >= 0 || mesh.halfEdges[first].next < 0)
     {
       continue;
     }
-    const SpacePoint& location = mesh.nodes[Index(mesh.halfEdges[Index(first)].node)].place;
+    const SpacePoint& location = mesh.nodes[mesh.halfEdges[first].node].place;
     const auto number = static_cast<int>(mesh.patches.size());
     // The half-edges around the patch, then rotated to start after the first right angle.
     std::vector<int> around;
     int h = first;
     do
     {
-      if (h < 0 || mesh.halfEdges[Index(h)].patch >= 0)
+      if (h < 0 || mesh.halfEdges[h].patch >= 0)
       {
         ThrowNoRectangles(location);
       }
-      mesh.halfEdges[Index(h)].patch = number;
+      mesh.halfEdges[h].patch = number;
       around.push_back(h);
-      h = mesh.halfEdges[Index(h)].next;
+      h = mesh.halfEdges[h].next;
     } while (h != first);
-    const auto corner = std::find_if(
-      around.begin(), around.end(), [&angles](int edge) { return angles[Index(edge)] == 1; });
+    const auto corner =
+      std::find_if(around.begin(), around.end(), [&angles](int edge) { return angles[edge] == 1; });
     if (corner == around.end())
     {
       ThrowNoRectangles(location);
@@ -102,12 +99,12 @@ void CollectPatches(TMesh& mesh)
     std::size_t side = 0;
     for (const int edge : around)
     {
-      if (side > 3 || angles[Index(edge)] < 1 || angles[Index(edge)] > 2)
+      if (side > 3 || angles[edge] < 1 || angles[edge] > 2)
       {
         ThrowNoRectangles(location);
       }
       patch.sides[side].push_back(edge);
-      side += angles[Index(edge)] == 1 ? 1U : 0U;
+      side += angles[edge] == 1 ? 1U : 0U;
     }
     if (side != 4)
     {

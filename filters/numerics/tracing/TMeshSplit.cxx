@@ -1,7 +1,5 @@
 #include "TMeshSplit.h"
 
-#include "Index.h"
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -30,10 +28,10 @@ public:
     const SpacePoint place = this->Topology.PositionOf(vertex);
     // far above the rounding of places on separatrices, far below any detail
     const double rounding = 1e-9 * (this->Topology.PositionOf(next) - place).norm();
-    const int arc = this->ArcAt[Index(position)];
+    const int arc = this->ArcAt[position];
     for (const int half : { 2 * arc, 2 * arc + 1 })
     {
-      TNode& node = this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(half)].node)];
+      TNode& node = this->Mesh.nodes[this->Mesh.halfEdges[half].node];
       if ((node.place - place).norm() <= rounding)
       {
         node.isFixed = true;
@@ -49,16 +47,16 @@ private:
   /// starts is another one, unless the arc starts at the vertex, where the other one has no piece.
   void SetArc(int arc)
   {
-    const std::vector<ChartPiece>& pieces = this->Mesh.arcs[Index(arc)].pieces;
-    if (!this->Mesh.arcs[Index(arc)].onBoundary)
+    const std::vector<ChartPiece>& pieces = this->Mesh.arcs[arc].pieces;
+    if (!this->Mesh.arcs[arc].onBoundary)
     {
       return;
     }
-    int& ofFirst = this->ArcAt[Index(pieces.front().position)];
+    int& ofFirst = this->ArcAt[pieces.front().position];
     ofFirst = ofFirst < 0 ? arc : ofFirst;
     for (std::size_t i = 1; i < pieces.size(); ++i)
     {
-      this->ArcAt[Index(pieces[i].position)] = arc;
+      this->ArcAt[pieces[i].position] = arc;
     }
   }
 
@@ -66,7 +64,7 @@ private:
   /// may end on the entry on which it begins.
   std::size_t PieceAt(int arc, int position) const
   {
-    const std::vector<ChartPiece>& pieces = this->Mesh.arcs[Index(arc)].pieces;
+    const std::vector<ChartPiece>& pieces = this->Mesh.arcs[arc].pieces;
     for (std::size_t i = pieces.size(); i-- > 1;)
     {
       if (pieces[i].position == position)
@@ -90,7 +88,7 @@ private:
     added.isFixed = true;
     this->Mesh.nodes.push_back(added);
 
-    TArc& before = this->Mesh.arcs[Index(arc)];
+    TArc& before = this->Mesh.arcs[arc];
     TArc after;
     after.onBoundary = true;
     after.loop = before.loop;
@@ -117,9 +115,9 @@ private:
     before.polyline.back() = place;
     this->Mesh.arcs.push_back(std::move(after));
     this->AddHalfEdges(arc, node);
-    for (const ChartPiece& piece : this->Mesh.arcs[Index(second)].pieces)
+    for (const ChartPiece& piece : this->Mesh.arcs[second].pieces)
     {
-      this->ArcAt[Index(piece.position)] = second;
+      this->ArcAt[piece.position] = second;
     }
   }
 
@@ -127,8 +125,8 @@ private:
   void AddHalfEdges(int arc, int node)
   {
     const auto forward = static_cast<int>(this->Mesh.halfEdges.size());
-    THalfEdge& along = this->Mesh.halfEdges[Index(2 * arc)];
-    THalfEdge& back = this->Mesh.halfEdges[Index(2 * arc + 1)];
+    THalfEdge& along = this->Mesh.halfEdges[2 * arc];
+    THalfEdge& back = this->Mesh.halfEdges[2 * arc + 1];
     const THalfEdge next = { node, 0, along.next, along.patch };
     const THalfEdge nextBack = back;
     const int patch = along.patch;
@@ -137,7 +135,7 @@ private:
     back.slot = 2;
     this->Mesh.halfEdges.push_back(next);
     this->Mesh.halfEdges.push_back(nextBack);
-    for (std::vector<int>& side : this->Mesh.patches[Index(patch)].sides)
+    for (std::vector<int>& side : this->Mesh.patches[patch].sides)
     {
       const auto found = std::find(side.begin(), side.end(), 2 * arc);
       if (found != side.end())

@@ -27,7 +27,7 @@ TMeshStops::TMeshStops(const SeamlessMap& map, const TraceGraph& graph)
 {
   for (std::size_t i = 0; i < this->Topology.mesh.boundary.size(); ++i)
   {
-    this->Positions[Index(this->Topology.mesh.boundary[i].vertices[0])] = static_cast<int>(i);
+    this->Positions[this->Topology.mesh.boundary[i].vertices[0]] = static_cast<int>(i);
   }
   this->AddCones();
   for (std::size_t i = 0; i < this->Lines.size(); ++i)
@@ -66,8 +66,7 @@ void TMeshStops::AddCones()
       static_cast<int>(i), cone.Quarters(), this->Topology.PositionOf(cone.vertex) });
     if (cone.onBoundary)
     {
-      this->OnBoundary[Index(this->PositionAt(cone.vertex))].push_back(
-        { 0.0, node, 0, cone.Quarters() });
+      this->OnBoundary[this->PositionAt(cone.vertex)].push_back({ 0.0, node, 0, cone.Quarters() });
     }
   }
 }
@@ -76,13 +75,13 @@ double TMeshStops::AlongEdge(int position, const Point& w) const
 {
   const auto [triangle, side] = this->Topology.SideOfBoundary(position);
   const Point offset = w - this->Map.At(triangle, side);
-  return std::max(0.0, TurnByQuarters(offset, -this->Map.directions[Index(position)]).x());
+  return std::max(0.0, TurnByQuarters(offset, -this->Map.directions[position]).x());
 }
 
 int TMeshStops::AddBoundaryNode(int position, const Point& w, const SpacePoint& place)
 {
   const int node = this->AddNode({ NodeKind::OnBoundary, -1, 2, place });
-  this->OnBoundary[Index(position)].push_back({ this->AlongEdge(position, w), node, 0, 2 });
+  this->OnBoundary[position].push_back({ this->AlongEdge(position, w), node, 0, 2 });
   return node;
 }
 
@@ -105,7 +104,7 @@ void TMeshStops::AddStart(std::size_t i)
 void TMeshStops::AddEnd(std::size_t i)
 {
   const TracedSeparatrix& line = this->Lines[i];
-  const LineSegment& last = line.segments[Index(line.lastSegment)];
+  const LineSegment& last = line.segments[line.lastSegment];
   TMeshStop end;
   end.at = line.length;
   if (line.end == SeparatrixEnd::Boundary)
@@ -121,7 +120,7 @@ void TMeshStops::AddEnd(std::size_t i)
       this->AddNode({ NodeKind::OnSeparatrix, -1, 4, this->Walk.PlaceAt(last, line.length) });
     end.backward = (line.endDirection + 2 - line.otherDirection + 4) % 4;
     this->OnLines[i].push_back(end);
-    this->OnLines[Index(line.other)].push_back({ line.otherLength, end.node, 0, 2, end.backward });
+    this->OnLines[line.other].push_back({ line.otherLength, end.node, 0, 2, end.backward });
   }
 }
 
@@ -144,7 +143,7 @@ std::vector<TMeshStop> TMeshStops::OnSeparatrix(std::size_t i) const
   std::vector<TMeshStop> stops = this->OnLines[i];
   if (both)
   {
-    for (TMeshStop stop : this->OnLines[Index(line.other)])
+    for (TMeshStop stop : this->OnLines[line.other])
     {
       std::swap(stop.forward, stop.backward);
       stop.side = (stop.side + 2) % 4;
@@ -154,7 +153,7 @@ std::vector<TMeshStop> TMeshStops::OnSeparatrix(std::size_t i) const
   }
   std::stable_sort(stops.begin() + 1, stops.end(), IsBefore);
   // The first and the last stop are its ends, whatever rounding makes of their lengths.
-  const int end = both ? this->OnLines[Index(line.other)].front().node : this->EndNode(i);
+  const int end = both ? this->OnLines[line.other].front().node : this->EndNode(i);
   const auto last = std::find_if(
     stops.begin() + 1, stops.end(), [end](const TMeshStop& stop) { return stop.node == end; });
   if (last != stops.end())
@@ -172,11 +171,11 @@ void TMeshStops::JoinCrossings(const std::vector<TMeshStop>& stops)
     const TMeshStop& first = stops[j];
     const TMeshStop& second = stops[j + 1];
     if (first.side % 2 == 1 && second.side % 2 == 1 && first.side != second.side &&
-      second.at - first.at <= tolerance && this->Same[Index(first.node)] == first.node)
+      second.at - first.at <= tolerance && this->Same[first.node] == first.node)
     {
-      this->Same[Index(second.node)] = first.node;
+      this->Same[second.node] = first.node;
       // Slots at both nodes count from the path; the difference aligns their first directions.
-      this->Shift[Index(second.node)] = (first.forward - second.forward + 4) % 4;
+      this->Shift[second.node] = (first.forward - second.forward + 4) % 4;
       ++this->Crossings;
     }
   }

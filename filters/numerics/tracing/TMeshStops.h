@@ -24,11 +24,11 @@ public:
   /// Returns the number of nodes where two separatrices end on a third from opposite sides.
   int CrossingCount() const { return this->Crossings; }
   /// Returns the node to which a node was joined, or the node itself.
-  int Joined(int node) const { return this->Same[static_cast<std::size_t>(node)]; }
+  int Joined(int node) const { return this->Same[node]; }
   /// Returns the slot at Joined(node) of a slot at `node`.
   int JoinedSlot(int node, int slot) const
   {
-    const int shift = this->Shift[static_cast<std::size_t>(node)];
+    const int shift = this->Shift[node];
     return shift == 0 ? slot : (slot + shift) % 4;
   }
 
@@ -36,13 +36,10 @@ public:
   /// the second of those.
   std::vector<TMeshStop> OnSeparatrix(std::size_t i) const;
   /// The stops on an entry of mesh.boundary, in its direction.
-  const std::vector<TMeshStop>& OnEdge(int position) const
-  {
-    return this->OnBoundary[static_cast<std::size_t>(position)];
-  }
+  const std::vector<TMeshStop>& OnEdge(int position) const { return this->OnBoundary[position]; }
 
   /// Returns the entry of mesh.boundary that starts at a vertex.
-  int PositionAt(int vertex) const { return this->Positions[static_cast<std::size_t>(vertex)]; }
+  int PositionAt(int vertex) const { return this->Positions[vertex]; }
 
 private:
   int AddNode(const TNode& node);

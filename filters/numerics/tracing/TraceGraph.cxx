@@ -107,7 +107,7 @@ private:
 
   double Time(int line, double length) const
   {
-    return length + this->Graph.separatrices[Index(line)].delay;
+    return length + this->Graph.separatrices[line].delay;
   }
 
   void Push(Event event)
@@ -123,7 +123,7 @@ private:
       const Event event = this->Events.top();
       this->Events.pop();
       this->Now = event.time;
-      if (this->Graph.separatrices[Index(event.line)].end != SeparatrixEnd::None)
+      if (this->Graph.separatrices[event.line].end != SeparatrixEnd::None)
       {
         continue;
       }
@@ -144,7 +144,7 @@ private:
 
   void Advance(int number)
   {
-    TracedSeparatrix& line = this->Graph.separatrices[Index(number)];
+    TracedSeparatrix& line = this->Graph.separatrices[number];
     const LineSegment& last = line.segments.back();
     if (this->Walk.Beyond(last) < 0)
     {
@@ -173,7 +173,7 @@ private:
     {
       throw CoarseMeshError("The separatrices of the seamless map wind around a narrow part of the "
                             "domain near " +
-        this->Topology.Where(this->Topology.mesh.triangles[Index(segment.triangle)][0]) +
+        this->Topology.Where(this->Topology.mesh.triangles[segment.triangle][0]) +
         " too often to be traced; use a finer mesh, or move singularities away from each other and "
         "from the boundary.");
     }
@@ -182,16 +182,15 @@ private:
   /// Finds the separatrices that one meets in the triangle that it has entered.
   void Enter(int number)
   {
-    const TracedSeparatrix& line = this->Graph.separatrices[Index(number)];
+    const TracedSeparatrix& line = this->Graph.separatrices[number];
     const auto segment = static_cast<int>(line.segments.size()) - 1;
     const LineSegment& mine = line.segments.back();
     this->RequireProgress(mine);
-    for (int e = this->Latest[Index(mine.triangle)]; e >= 0; e = this->Entries[Index(e)].next)
+    for (int e = this->Latest[mine.triangle]; e >= 0; e = this->Entries[e].next)
     {
-      const Entry& entry = this->Entries[Index(e)];
+      const Entry& entry = this->Entries[e];
       ++this->Comparisons;
-      const LineSegment& theirs =
-        this->Graph.separatrices[Index(entry.line)].segments[Index(entry.segment)];
+      const LineSegment& theirs = this->Graph.separatrices[entry.line].segments[entry.segment];
       if ((mine.direction - theirs.direction) % 2 != 0)
       {
         if (this->Interleave(mine, number, theirs, entry.line))
@@ -205,8 +204,8 @@ private:
         this->FindMeeting(number, entry.line, mine.offset + theirs.offset);
       }
     }
-    this->Entries.push_back({ number, segment, this->Latest[Index(mine.triangle)] });
-    this->Latest[Index(mine.triangle)] = static_cast<int>(this->Entries.size()) - 1;
+    this->Entries.push_back({ number, segment, this->Latest[mine.triangle] });
+    this->Latest[mine.triangle] = static_cast<int>(this->Entries.size()) - 1;
     this->Push({ this->Time(number, mine.exitLength), 0, Event::Advance, number });
   }
 
@@ -214,8 +213,8 @@ private:
   /// one position consistently from both sides of an edge.
   std::pair<double, int> OnOutline(int triangle, const OutlinePoint& point, int line) const
   {
-    const auto& v = this->Topology.mesh.triangles[Index(triangle)];
-    const bool upwards = v[Index(point.side)] < v[Index((point.side + 1) % 3)];
+    const auto& v = this->Topology.mesh.triangles[triangle];
+    const bool upwards = v[point.side] < v[(point.side + 1) % 3];
     return { point.side + point.fraction, upwards ? line : -line };
   }
 
@@ -243,8 +242,8 @@ private:
 
   void FindCrossing(int a, int segmentA, int b, int segmentB)
   {
-    const LineSegment& first = this->Graph.separatrices[Index(a)].segments[Index(segmentA)];
-    const LineSegment& second = this->Graph.separatrices[Index(b)].segments[Index(segmentB)];
+    const LineSegment& first = this->Graph.separatrices[a].segments[segmentA];
+    const LineSegment& second = this->Graph.separatrices[b].segments[segmentB];
     const double lengthA =
       std::clamp(first.LengthAt(second.level), first.entryLength, first.exitLength);
     const double lengthB =
@@ -273,8 +272,8 @@ private:
 
   void Cross(const Event& event)
   {
-    TracedSeparatrix& line = this->Graph.separatrices[Index(event.line)];
-    if (this->Reach(this->Graph.separatrices[Index(event.other)]) < event.otherLength)
+    TracedSeparatrix& line = this->Graph.separatrices[event.line];
+    if (this->Reach(this->Graph.separatrices[event.other]) < event.otherLength)
     {
       return; // the other one stops before this point
     }
@@ -283,7 +282,7 @@ private:
     line.other = event.other;
     line.otherLength = event.otherLength;
     line.lastSegment = event.segment;
-    line.endDirection = line.segments[Index(event.segment)].direction;
+    line.endDirection = line.segments[event.segment].direction;
     line.otherDirection = event.otherDirection;
   }
 
@@ -299,16 +298,14 @@ private:
     event.other = b;
     event.length = together;
     event.time = std::max(this->Now,
-      0.5 *
-        (together + this->Graph.separatrices[Index(a)].delay +
-          this->Graph.separatrices[Index(b)].delay));
+      0.5 * (together + this->Graph.separatrices[a].delay + this->Graph.separatrices[b].delay));
     this->Push(event);
   }
 
   void Meet(const Event& event)
   {
-    TracedSeparatrix& line = this->Graph.separatrices[Index(event.line)];
-    TracedSeparatrix& other = this->Graph.separatrices[Index(event.other)];
+    TracedSeparatrix& line = this->Graph.separatrices[event.line];
+    TracedSeparatrix& other = this->Graph.separatrices[event.other];
     if (other.end != SeparatrixEnd::None)
     {
       return;
@@ -321,7 +318,7 @@ private:
       one.other = partner;
       one.headOnLength = event.length;
       one.lastSegment = static_cast<int>(one.segments.size()) - 1;
-      while (one.lastSegment > 0 && one.segments[Index(one.lastSegment)].entryLength > one.length)
+      while (one.lastSegment > 0 && one.segments[one.lastSegment].entryLength > one.length)
       {
         --one.lastSegment;
       }
@@ -338,10 +335,10 @@ private:
       this->PositionOfEdge.assign(Index(this->Topology.edges.Count()), -1);
       for (std::size_t i = 0; i < this->Topology.edges.ofBoundary.size(); ++i)
       {
-        this->PositionOfEdge[Index(this->Topology.edges.ofBoundary[i])] = static_cast<int>(i);
+        this->PositionOfEdge[this->Topology.edges.ofBoundary[i]] = static_cast<int>(i);
       }
     }
-    return this->PositionOfEdge[Index(edge)];
+    return this->PositionOfEdge[edge];
   }
 
   /// Returns an edge of a loop without corners at which no separatrix starts or ends; −1 if there
@@ -352,7 +349,7 @@ private:
     std::vector<bool> corner(Index(this->Topology.VertexCount()), false);
     for (const Cone& cone : this->Map.cones)
     {
-      corner[Index(cone.vertex)] = true;
+      corner[cone.vertex] = true;
     }
     for (const TracedSeparatrix& line : this->Graph.separatrices)
     {
@@ -360,17 +357,15 @@ private:
       {
         if (position >= 0)
         {
-          met[Index(position)] = true;
+          met[position] = true;
         }
       }
     }
     for (const BoundaryLoop& loop : this->Topology.loops)
     {
       const bool isMet = std::any_of(loop.edges.begin(), loop.edges.end(),
-        [&](int position) {
-          return met[Index(position)] ||
-            corner[Index(this->Topology.BoundaryAt(position).vertices[0])];
-        });
+        [&](int position)
+        { return met[position] || corner[this->Topology.BoundaryAt(position).vertices[0]]; });
       if (!isMet)
       {
         return loop.edges.front();

@@ -48,26 +48,26 @@ public:
   {
     for (int t = 0; t < this->Topology.TriangleCount(); ++t)
     {
-      for (const int v : this->Topology.mesh.triangles[Index(t)])
+      for (const int v : this->Topology.mesh.triangles[t])
       {
-        this->Start[Index(v)] = t;
+        this->Start[v] = t;
       }
     }
     for (int i = 0; i < static_cast<int>(this->Topology.mesh.boundary.size()); ++i)
     {
-      this->Boundary[Index(this->Topology.BoundaryAt(i).vertices[0])] = i;
+      this->Boundary[this->Topology.BoundaryAt(i).vertices[0]] = i;
     }
   }
 
   std::vector<Departure> Around(const Cone& cone) const
   {
-    int triangle = this->Start[Index(cone.vertex)];
+    int triangle = this->Start[cone.vertex];
     int here = 0; // direction in eighths of the spoke with which the triangle starts, in its chart
     if (cone.onBoundary)
     {
-      const int position = this->Boundary[Index(cone.vertex)];
+      const int position = this->Boundary[cone.vertex];
       triangle = this->Topology.SideOfBoundary(position).first;
-      here = 2 * this->Map.directions[Index(position)];
+      here = 2 * this->Map.directions[position];
     }
     else
     {
@@ -115,19 +115,19 @@ public:
 private:
   int CornerOf(int triangle, int vertex) const
   {
-    const auto& v = this->Topology.mesh.triangles[Index(triangle)];
+    const auto& v = this->Topology.mesh.triangles[triangle];
     return static_cast<int>(std::find(v.begin(), v.end(), vertex) - v.begin());
   }
 
   /// Returns the direction of a boundary edge in the chart of its triangle.
   int DirectionOf(int edge) const
   {
-    for (const int v : this->Topology.edges.vertices[Index(edge)])
+    for (const int v : this->Topology.edges.vertices[edge])
     {
-      const int position = this->Boundary[Index(v)];
+      const int position = this->Boundary[v];
       if (position >= 0 && this->Topology.EdgeOfBoundary(position) == edge)
       {
-        return this->Map.directions[Index(position)];
+        return this->Map.directions[position];
       }
     }
     return 0;

@@ -2,7 +2,6 @@
 
 #include "Candidates.h"
 #include "Error.h"
-#include "Index.h"
 #include "MeshForPoints.h"
 #include "SizeSearch.h"
 

@@ -2,7 +2,6 @@
 
 #include "CurveSampling.h"
 #include "DrillHoles.h"
-#include "Index.h"
 #include "MakePlanarDomain.h"
 
 #include <algorithm>
@@ -77,7 +76,7 @@ std::vector<CurveReport> MeasureCurves(
     {
       continue;
     }
-    CurveReport& report = reports[Index(edge.curve)];
+    CurveReport& report = reports[edge.curve];
     ++report.edges;
     if (edge.side >= 0 &&
       std::find(report.sides.begin(), report.sides.end(), edge.side) == report.sides.end())
@@ -86,7 +85,7 @@ std::vector<CurveReport> MeasureCurves(
     }
     for (const int point : edge.points)
     {
-      const Point& place = mesh.points[Index(point)].place;
+      const Point& place = mesh.points[point].place;
       double distance = std::numeric_limits<double>::infinity();
       for (const LoopArc& arc : arcs)
       {

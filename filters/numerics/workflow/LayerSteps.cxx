@@ -31,7 +31,7 @@ public:
   {
     const LoopArc& arc = this->Arcs[loop];
     const double middle = 0.5 * (arc.Start(segment) + arc.Start(segment + 1));
-    return this->Sides.names[static_cast<std::size_t>(this->Along.At(loop, middle))];
+    return this->Sides.names[this->Along.At(loop, middle)];
   }
 
   double LengthOf(std::size_t loop, std::size_t segment) const
@@ -145,7 +145,7 @@ std::vector<std::array<Point, 2>> EndsOfPeriodicSides(
     const SideSpan first = FindSpan(request.sides, loops, pair.first);
     const SideSpan second = FindSpan(request.sides, loops, pair.second);
     const auto at = [&loops](const SideSpan& span, double length)
-    { return loops[static_cast<std::size_t>(span.loop)].At(span.start + length); };
+    { return loops[span.loop].At(span.start + length); };
     ends.push_back({ at(first, 0.0), at(second, second.length) });
     ends.push_back({ at(first, first.length), at(second, 0.0) });
   }
@@ -255,8 +255,7 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
     {
       if (const LayerPrescription* layer = FindLayer(request, names.At(l, segment)))
       {
-        lengths[static_cast<std::size_t>(layer - request.layers.data())] +=
-          names.LengthOf(l, segment);
+        lengths[layer - request.layers.data()] += names.LengthOf(l, segment);
       }
     }
   }

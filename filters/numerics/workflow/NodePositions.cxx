@@ -22,13 +22,13 @@ std::vector<Node> FindNodes(const SeamlessMap& map, const QuadMesh& mesh, std::s
   {
     for (std::size_t i = 0; i < 4; ++i)
     {
-      const QuadPoint& point = mesh.points[static_cast<std::size_t>(quad[i])];
-      const int row = point.cone < 0 ? -1 : map.cones[static_cast<std::size_t>(point.cone)].row;
+      const QuadPoint& point = mesh.points[quad[i]];
+      const int row = point.cone < 0 ? -1 : map.cones[point.cone].row;
       if (row >= 0)
       {
         // Each quad adds the edge that follows; the one before belongs to its neighbour.
-        const QuadPoint& next = mesh.points[static_cast<std::size_t>(quad[(i + 1) % 4])];
-        Node& node = nodes[static_cast<std::size_t>(row)];
+        const QuadPoint& next = mesh.points[quad[(i + 1) % 4]];
+        Node& node = nodes[row];
         node.point = &point;
         node.edge += (next.place - point.place).norm() / point.valence;
       }

@@ -54,7 +54,7 @@ void CopyPrescription(const BoundarySides& sides, int first, int second, SidePre
   }
   else if (!AreEqual(*to, reversed))
   {
-    const auto name = [&sides](int side) { return sides.names[static_cast<std::size_t>(side)]; };
+    const auto name = [&sides](int side) { return sides.names[side]; };
     throw Error("The periodic sides '" + name(first) + "' and '" + name(second) +
       "' have different numbers, progressions or sizes of edges; prescribe them for one of both.");
   }

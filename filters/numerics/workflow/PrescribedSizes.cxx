@@ -26,7 +26,7 @@ RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTop
   {
     for (Eigen::Index v = 0; v < lengths.size(); ++v)
     {
-      lengths[v] = sizes.length(mesh.points[static_cast<std::size_t>(v)]);
+      lengths[v] = sizes.length(mesh.points[v]);
     }
   }
   RelativeSizes result;

@@ -2,7 +2,6 @@
 
 #include "DomainQueries.h"
 #include "Error.h"
-#include "Index.h"
 #include "MemoryBudget.h"
 
 #include <sstream>
@@ -45,7 +44,7 @@ void RequireQuadBudget(const PlanarDomain& domain, const QuadRequest& request)
   const BoundarySides sides = request.sides.names.empty() ? NameSides(domain) : request.sides;
   for (const SidePrescription& one : request.prescribed)
   {
-    const std::string& name = sides.names[Index(one.side)];
+    const std::string& name = sides.names[one.side];
     RequireCount(one.count,
       "A mesh with " + Rounded(one.count) + " edges along side '" + name + "'",
       "give the side fewer edges");

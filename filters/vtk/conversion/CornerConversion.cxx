@@ -83,7 +83,7 @@ void WriteScenarios(const crossfield::CornerClassification& classification, vtkT
   const std::vector<int> rows = { 0, 1, 2 };
   vtkFieldData* data = output->GetRowData();
   const auto cost = [&](int row) -> const crossfield::ScenarioCost&
-  { return classification.scenarios[static_cast<std::size_t>(row)]; };
+  { return classification.scenarios[row]; };
   AddColumn<vtkStringArray>(data, names::Scenario, rows,
     [](int row) { return crossfield::ScenarioName(static_cast<crossfield::Scenario>(row)); });
   AddColumn<vtkIntArray>(data, names::Sum, rows, [&](int row) { return cost(row).sum; });
@@ -128,8 +128,7 @@ void WriteLoopTable(const crossfield::PoincareHopfCount& count,
     rows.push_back(static_cast<int>(i));
   }
   vtkFieldData* data = output->GetRowData();
-  const auto part = [&](int row) -> const crossfield::LoopCount&
-  { return count.loops[static_cast<std::size_t>(row)]; };
+  const auto part = [&](int row) -> const crossfield::LoopCount& { return count.loops[row]; };
   AddColumn<vtkIntArray>(data, names::BoundaryLoop, rows, [](int row) { return row; });
   AddColumn<vtkDoubleArray>(data, names::Valence, rows, [&](int row) { return part(row).valence; });
   AddColumn<vtkDoubleArray>(

@@ -133,8 +133,7 @@ private:
     {
       this->Require(curve.knots[i] >= curve.knots[i - 1], "has knots that decrease");
     }
-    this->Require(curve.knots[static_cast<std::size_t>(curve.degree)] < curve.knots[points],
-      "has an empty range of knots");
+    this->Require(curve.knots[curve.degree] < curve.knots[points], "has an empty range of knots");
     for (std::size_t at = 2 + knots; at < this->Values.size(); at += 3)
     {
       curve.points.emplace_back(this->Values[at], this->Values[at + 1]);
@@ -206,7 +205,7 @@ void AddCurves(const CellCurves& curves, vtkDataSet* domain)
   }
   vtkFieldData* data = domain->GetFieldData();
   ColumnWriting::AddColumn<vtkStringArray>(data, names::CurveKind, curves.curves,
-    [](const PlaneCurve& curve) { return Kinds[static_cast<std::size_t>(curve.kind)]; });
+    [](const PlaneCurve& curve) { return Kinds[curve.kind]; });
   ColumnWriting::AddColumn<vtkIdTypeArray>(
     data, names::CurveOffset, offsets, [](vtkIdType offset) { return offset; });
   ColumnWriting::AddNumbers(data, names::CurveValues, values);

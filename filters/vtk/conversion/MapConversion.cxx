@@ -71,18 +71,18 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   std::vector<int> coneAt(mesh.points.size(), -1);
   for (std::size_t c = 0; c < map.cones.size(); ++c)
   {
-    coneAt[Index(map.cones[c].vertex)] = static_cast<int>(c);
+    coneAt[map.cones[c].vertex] = static_cast<int>(c);
   }
   for (vtkIdType p = 0; p < pointCount; ++p)
   {
-    const int vertex = map.original[static_cast<std::size_t>(p)];
+    const int vertex = map.original[p];
     points->SetPoint(p, written.plane.ToSpace(map.topology->PositionOf(vertex).head<2>()).data());
-    const Point& w = map.points[static_cast<std::size_t>(p)];
+    const Point& w = map.points[p];
     uv->SetTuple2(p, w.x(), w.y());
     vertices->SetValue(p, vertex);
-    const int cone = coneAt[Index(vertex)];
+    const int cone = coneAt[vertex];
     cones->SetValue(p, cone);
-    quarters->SetValue(p, cone < 0 ? 0 : map.cones[Index(cone)].quarterIndex);
+    quarters->SetValue(p, cone < 0 ? 0 : map.cones[cone].quarterIndex);
   }
 
   const auto triangles = static_cast<vtkIdType>(mesh.triangles.size());
@@ -95,21 +95,18 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   const auto directions = NewArray<vtkIntArray>(cellData, names::Direction, 1, cells, -1);
   for (vtkIdType t = 0; t < triangles; ++t)
   {
-    const auto& corners = map.corners[static_cast<std::size_t>(t)];
+    const auto& corners = map.corners[t];
     const vtkIdType ids[] = { corners[0], corners[1], corners[2] };
     output->InsertNextCell(VTK_TRIANGLE, 3, ids);
-    const auto& seam = map.seams[static_cast<std::size_t>(t)];
+    const auto& seam = map.seams[t];
     seams->SetTuple3(t, seam[0], seam[1], seam[2]);
   }
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
     const int t = map.topology->SideOfBoundary(static_cast<int>(i)).first;
-    const auto& v = mesh.triangles[Index(t)];
+    const auto& v = mesh.triangles[t];
     const auto copy = [&](int vertex)
-    {
-      return vtkIdType{ map.corners[Index(t)][static_cast<std::size_t>(
-        std::find(v.begin(), v.end(), vertex) - v.begin())] };
-    };
+    { return vtkIdType{ map.corners[t][std::find(v.begin(), v.end(), vertex) - v.begin()] }; };
     const vtkIdType ids[] = { copy(mesh.boundary[i].vertices[0]),
       copy(mesh.boundary[i].vertices[1]) };
     const vtkIdType cell = output->InsertNextCell(VTK_LINE, 2, ids);
@@ -124,7 +121,7 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   const auto translations = NewArray<vtkDoubleArray>(field, names::SeamTranslation, 2, count);
   for (vtkIdType k = 0; k < count; ++k)
   {
-    const crossfield::SeamTransition& seam = map.transitions[static_cast<std::size_t>(k)];
+    const crossfield::SeamTransition& seam = map.transitions[k];
     rotations->SetValue(k, seam.rotation);
     translations->SetTuple2(k, seam.translation.x(), seam.translation.y());
   }
@@ -170,15 +167,15 @@ Map ReadMap(vtkUnstructuredGrid* input)
     mesh.points.resize(std::max(mesh.points.size(), Index(vertex) + 1));
     Eigen::Vector3d place;
     input->GetPoint(p, place.data());
-    mesh.points[Index(vertex)] = result.plane.ToPlane(place);
+    mesh.points[vertex] = result.plane.ToPlane(place);
     map.original.push_back(vertex);
     map.points.emplace_back(uv->GetComponent(p, 0), uv->GetComponent(p, 1));
     const int cone = RequireInteger(cones, p, 0, -1, coneCount - 1);
     if (cone >= 0)
     {
-      map.cones[Index(cone)].vertex = vertex;
-      map.cones[Index(cone)].quarterIndex = RequireInteger(quarters, p, 0, -1000, 2);
-      map.cones[Index(cone)].row = static_cast<int>(rows->GetTuple1(cone));
+      map.cones[cone].vertex = vertex;
+      map.cones[cone].quarterIndex = RequireInteger(quarters, p, 0, -1000, 2);
+      map.cones[cone].row = static_cast<int>(rows->GetTuple1(cone));
     }
   }
   const auto transitions = static_cast<int>(rotations->GetNumberOfTuples());
@@ -194,7 +191,7 @@ Map ReadMap(vtkUnstructuredGrid* input)
   {
     input->GetCellPoints(cell, ids);
     const auto corner = [&](vtkIdType i) { return used.IndexOf(ids->GetId(i)); };
-    const auto vertex = [&](vtkIdType i) { return map.original[Index(corner(i))]; };
+    const auto vertex = [&](vtkIdType i) { return map.original[corner(i)]; };
     if (input->GetCellType(cell) == VTK_TRIANGLE)
     {
       map.corners.push_back({ corner(0), corner(1), corner(2) });
@@ -202,7 +199,7 @@ Map ReadMap(vtkUnstructuredGrid* input)
       std::array<int, 3> seam{};
       for (int i = 0; i < 3; ++i)
       {
-        seam[Index(i)] = RequireInteger(seams, cell, i, -seamCount, seamCount);
+        seam[i] = RequireInteger(seams, cell, i, -seamCount, seamCount);
       }
       map.seams.push_back(seam);
     }
@@ -214,12 +211,12 @@ Map ReadMap(vtkUnstructuredGrid* input)
       edge.id = static_cast<int>(id->GetTuple1(cell));
       mesh.boundary.push_back(edge);
       map.directions.push_back(RequireInteger(directions, cell, 0, 0, 3));
-      onBoundary[Index(vertex(0))] = true;
+      onBoundary[vertex(0)] = true;
     }
   }
   for (crossfield::Cone& cone : map.cones)
   {
-    cone.onBoundary = onBoundary[Index(cone.vertex)];
+    cone.onBoundary = onBoundary[cone.vertex];
   }
   map.topology = crossfield::ShareTopology(std::move(mesh));
   return result;

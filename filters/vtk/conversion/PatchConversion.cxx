@@ -1,7 +1,6 @@
 #include "PatchConversion.h"
 
 #include "ColumnWriting.h"
-#include "Index.h"
 #include "PolygonTriangulation.h"
 #include "TMesh.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -67,16 +66,15 @@ public:
       double start = 0.0;
       for (const int half : patch.sides[side])
       {
-        const crossfield::TArc& arc = this->Mesh.arcs[Index(half / 2)];
+        const crossfield::TArc& arc = this->Mesh.arcs[half / 2];
         const auto add = [&](double along, const Point& place, int kind)
         {
           const double part = sideLength > 0.0 ? std::min(1.0, (start + along) / sideLength) : 0.0;
           outline.push_back({ place, corners[side] + part * sideVector, kind });
         };
-        const crossfield::TNode& node =
-          this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(half)].node)];
+        const crossfield::TNode& node = this->Mesh.nodes[this->Mesh.halfEdges[half].node];
         add(0.0, node.place.head<2>(), static_cast<int>(node.kind) + 1);
-        const auto& interior = this->Interior[Index(half / 2)];
+        const auto& interior = this->Interior[half / 2];
         for (std::size_t i = 0; i < interior.size(); ++i)
         {
           const auto& [at, place] = half % 2 == 0 ? interior[i] : interior[interior.size() - 1 - i];
@@ -109,7 +107,7 @@ void WritePatches(
   const ArcOutlines outlines(traced.map, mesh);
   for (int f = 0; f < static_cast<int>(mesh.patches.size()); ++f)
   {
-    const std::vector<OutlinePoint> outline = outlines.Outline(mesh.patches[Index(f)]);
+    const std::vector<OutlinePoint> outline = outlines.Outline(mesh.patches[f]);
     const vtkIdType first = points->GetNumberOfPoints();
     crossfield::Loop polygon;
     for (const OutlinePoint& point : outline)
@@ -145,7 +143,7 @@ void WritePatches(
   const auto addSize = [&](const char* name, std::size_t side)
   {
     ColumnWriting::AddColumn<vtkDoubleArray>(cellData, name, patchOfCell,
-      [&mesh, side](int f) { return mesh.SideLength(mesh.patches[Index(f)], side); });
+      [&mesh, side](int f) { return mesh.SideLength(mesh.patches[f], side); });
   };
   addSize(names::USize, 0);
   addSize(names::VSize, 1);

@@ -125,10 +125,10 @@ void Write(
   auto motions = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicMotion, 16, pairs);
   for (vtkIdType i = 0; i < pairs; ++i)
   {
-    const PairedSides& pair = mesh.periodic[static_cast<std::size_t>(i)];
+    const PairedSides& pair = mesh.periodic[i];
     for (const int side : { pair.first, pair.second })
     {
-      sides->InsertNextValue(mesh.sideNames[static_cast<std::size_t>(side)]);
+      sides->InsertNextValue(mesh.sideNames[side]);
     }
     const Eigen::Matrix4d matrix = InSpace(pair.motion, plane);
     for (int k = 0; k < 16; ++k)
@@ -162,7 +162,7 @@ void WriteReport(
   auto centres = ColumnWriting::NewArray<vtkDoubleArray>(data, names::PeriodicCentre, 3, pairs);
   for (vtkIdType i = 0; i < pairs; ++i)
   {
-    const PairedSides& pair = mesh.periodic[static_cast<std::size_t>(i)];
+    const PairedSides& pair = mesh.periodic[i];
     if (isRotation(pair))
     {
       centres->SetTuple(i, plane.ToSpace(pair.motion.Centre()).data());

@@ -109,7 +109,7 @@ void WriteBoundary(const QuadMesh& mesh, const crossfield::CurvedBoundary& curve
       const auto [place, isNew] = numbers.emplace(point, points->GetNumberOfPoints());
       if (isNew)
       {
-        InsertPoint(mesh.points[static_cast<std::size_t>(point)], plane, points);
+        InsertPoint(mesh.points[point], plane, points);
         vertices.push_back(point);
       }
       lines->InsertCellPoint(place->second);
@@ -194,7 +194,7 @@ void WriteBlocks(
     points->SetDataTypeToDouble();
     for (const int point : block.points)
     {
-      InsertPoint(result.mesh.points[static_cast<std::size_t>(point)], plane, points);
+      InsertPoint(result.mesh.points[point], plane, points);
     }
     vtkNew<vtkStructuredGrid> grid;
     grid->SetDimensions(block.width + 1, block.height + 1, 1);
@@ -232,7 +232,7 @@ void WriteLayout(
     for (const int point : side)
     {
       lines->InsertCellPoint(points->GetNumberOfPoints());
-      InsertPoint(result.mesh.points[static_cast<std::size_t>(point)], plane, points);
+      InsertPoint(result.mesh.points[point], plane, points);
     }
     edges.push_back(static_cast<int>(side.size()) - 1);
   }

@@ -174,8 +174,7 @@ void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* dat
       std::string text;
       for (const int side : curve.sides)
       {
-        text +=
-          (text.empty() ? "" : ",") + result.quads.mesh.sideNames[static_cast<std::size_t>(side)];
+        text += (text.empty() ? "" : ",") + result.quads.mesh.sideNames[side];
       }
       return text;
     });

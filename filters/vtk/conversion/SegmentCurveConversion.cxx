@@ -26,7 +26,7 @@ crossfield::CurvesOfSegments Read(vtkDataSet* input, const DomainConversion::Dom
   {
     return result;
   }
-  const auto curveOf = [&](vtkIdType cell) { return read.ofCell[static_cast<std::size_t>(cell)]; };
+  const auto curveOf = [&](vtkIdType cell) { return read.ofCell[cell]; };
   for (const std::vector<vtkIdType>& cells :
     SegmentCells::Find(input, domain, [&](vtkIdType cell) { return curveOf(cell) >= 0; }))
   {

@@ -239,9 +239,8 @@ crossfield::SidePrescriptions ReadPrescriptions(
 void WriteSides(const crossfield::QuadMesh& mesh, vtkCellData* data)
 {
   ColumnWriting::AddColumn<vtkStringArray>(data, names::Side, mesh.boundary,
-    [&mesh](const crossfield::QuadBoundaryEdge& edge) {
-      return edge.side < 0 ? std::string() : mesh.sideNames[static_cast<std::size_t>(edge.side)];
-    });
+    [&mesh](const crossfield::QuadBoundaryEdge& edge)
+    { return edge.side < 0 ? std::string() : mesh.sideNames[edge.side]; });
 }
 
 //------------------------------------------------------------------------------
@@ -257,7 +256,7 @@ void WriteBlockSides(const crossfield::QuadResult& result, vtkMultiBlockDataSet*
         std::string text;
         for (const int side : ofSide)
         {
-          text += (text.empty() ? "" : ",") + result.mesh.sideNames[static_cast<std::size_t>(side)];
+          text += (text.empty() ? "" : ",") + result.mesh.sideNames[side];
         }
         return text;
       });

@@ -50,8 +50,7 @@ public:
     double value = 0.0;
     for (vtkIdType i = 0; i < this->Cell->GetNumberOfPoints(); ++i)
     {
-      value += this->Weights[static_cast<std::size_t>(i)] *
-        this->Values[static_cast<std::size_t>(this->Cell->GetPointId(static_cast<int>(i)))];
+      value += this->Weights[i] * this->Values[this->Cell->GetPointId(static_cast<int>(i))];
     }
     return value;
   }

@@ -257,7 +257,7 @@ void ReadCurves(vtkUnstructuredGrid* grid, SolverMesh& mesh)
   mesh.curve.clear();
   for (std::size_t face = 0; face < mesh.sources.faces.size() && !curves.ofCell.empty(); ++face)
   {
-    mesh.curve.push_back(curves.ofCell[Index(mesh.sources.faces[face])]);
+    mesh.curve.push_back(curves.ofCell[mesh.sources.faces[face]]);
   }
 }
 

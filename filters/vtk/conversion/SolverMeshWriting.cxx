@@ -39,9 +39,9 @@ struct Mixture
 std::map<int, Mixture> MixturesOf(const SolverMesh& mesh, const crossfield::MeshFaces& faces)
 {
   std::map<int, Mixture> mixtures;
-  const auto isNew = [&](int point) { return mesh.sources.points[Index(point)] < 0; };
+  const auto isNew = [&](int point) { return mesh.sources.points[point] < 0; };
   const auto source = [&](const int* nodes, int position)
-  { return mesh.sources.points[Index(nodes[position])]; };
+  { return mesh.sources.points[nodes[position]]; };
   const int p = mesh.order;
   const crossfield::CellLattice lattice(2, p);
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
@@ -71,7 +71,7 @@ std::map<int, Mixture> MixturesOf(const SolverMesh& mesh, const crossfield::Mesh
     const std::vector<int> along = lattice.Face(face.face);
     for (int k = 1; k < p; ++k)
     {
-      Mixture& mixture = mixtures[nodes[along[Index(k)]]];
+      Mixture& mixture = mixtures[nodes[along[k]]];
       mixture.onBoundary = true;
       mixture.points = { source(nodes, along.front()), source(nodes, along.back()) };
       const double part = static_cast<double>(k) / p;
@@ -142,7 +142,7 @@ void InsertCells(const SolverMesh& mesh, const crossfield::MeshFaces& faces,
   {
     const int face = item - mesh.CellCount();
     const std::vector<int> nodes =
-      face < 0 ? elements.OfCell(item) : elements.OfFace(faces.BoundaryFaces()[Index(face)]);
+      face < 0 ? elements.OfCell(item) : elements.OfFace(faces.BoundaryFaces()[face]);
     const std::vector<vtkIdType> ids(nodes.begin(), nodes.end());
     const auto count = static_cast<vtkIdType>(ids.size());
     const int dimension = face < 0 ? mesh.dimension : mesh.dimension - 1;
@@ -163,13 +163,13 @@ void WriteSweptArrays(const SolverMesh& mesh, const crossfield::MeshFaces& faces
   data->CopyAllocate(from, count);
   for (int cell = 0; cell < cells; ++cell)
   {
-    data->CopyData(from, mesh.sources.cells[Index(cell)], cell);
+    data->CopyData(from, mesh.sources.cells[cell], cell);
   }
   for (int face = 0; face < mesh.FaceCount(); ++face)
   {
-    const int cell = faces.BoundaryFaces()[Index(face)].cell;
-    data->CopyData(from, mesh.sources.cells[Index(cell)], cells + face);
-    const int edge = mesh.sources.faces[Index(face)];
+    const int cell = faces.BoundaryFaces()[face].cell;
+    data->CopyData(from, mesh.sources.cells[cell], cells + face);
+    const int edge = mesh.sources.faces[face];
     for (const char* name : { names::BoundaryKind, names::BoundaryId, names::Curve })
     {
       vtkDataArray* array = data->GetArray(name);
@@ -196,13 +196,13 @@ void WriteSweptArrays(const SolverMesh& mesh, const crossfield::MeshFaces& faces
   sides->SetNumberOfValues(count);
   for (int face = 0; face < mesh.FaceCount(); ++face)
   {
-    sides->SetValue(cells + face, mesh.sideNames[Index(mesh.side[Index(face)])]);
+    sides->SetValue(cells + face, mesh.sideNames[mesh.side[face]]);
   }
   data->AddArray(sides);
   vtkFieldData* report = output->GetFieldData();
   ColumnWriting::AddIntegers(report, names::SweepLayers, { mesh.sweep.layers });
   ColumnWriting::AddIntegers(report, names::Hexahedra, { cells });
-  const auto nameOf = [&](int side) { return side < 0 ? "" : mesh.sideNames[Index(side)]; };
+  const auto nameOf = [&](int side) { return side < 0 ? "" : mesh.sideNames[side]; };
   ColumnWriting::AddColumn<vtkStringArray>(
     report, names::SweepEnds, std::vector<int>{ mesh.sweep.back, mesh.sweep.front }, nameOf);
 }
@@ -228,7 +228,7 @@ void WriteMesh(const SolverMesh& mesh, vtkUnstructuredGrid* from, vtkUnstructure
   sources.insert(sources.end(), mesh.sources.faces.begin(), mesh.sources.faces.end());
   for (std::size_t item = 0; item < sources.size(); ++item)
   {
-    list[Index(sources[item])] = static_cast<int>(item);
+    list[sources[item]] = static_cast<int>(item);
   }
   InsertCells(mesh, faces, list, output);
   output->GetCellData()->PassData(from->GetCellData());
@@ -245,7 +245,7 @@ void WriteBlocks(const SolverMesh& mesh, vtkMultiBlockDataSet* output)
     points->SetDataTypeToDouble();
     for (const int node : block.nodes)
     {
-      points->InsertNextPoint(mesh.points[Index(node)].data());
+      points->InsertNextPoint(mesh.points[node].data());
     }
     vtkNew<vtkStructuredGrid> grid;
     grid->SetDimensions(block.cells[0] + 1, block.cells[1] + 1, block.cells[2] + 1);

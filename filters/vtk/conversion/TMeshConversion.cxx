@@ -2,7 +2,6 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
-#include "Index.h"
 #include "PlanarTopology.h"
 #include "TraceGraph.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -92,9 +91,9 @@ int Locate(const crossfield::SeamlessMap& map, const Point& place, Point& w)
   const auto& triangles = topology->mesh.triangles;
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
   {
-    const Point& a = topology->PointAt(triangles[Index(t)][0]);
-    const Point b = topology->PointAt(triangles[Index(t)][1]) - a;
-    const Point c = topology->PointAt(triangles[Index(t)][2]) - a;
+    const Point& a = topology->PointAt(triangles[t][0]);
+    const Point b = topology->PointAt(triangles[t][1]) - a;
+    const Point c = topology->PointAt(triangles[t][2]) - a;
     const double area = crossfield::Cross(b, c);
     const double beta = crossfield::Cross(place - a, c) / area;
     const double gamma = crossfield::Cross(b, place - a) / area;
@@ -127,16 +126,16 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
     std::vector<SpacePoint> polyline = { walk.PlaceAt(first.triangle, first.entry) };
     for (int s = 0; s < line.lastSegment; ++s)
     {
-      const crossfield::LineSegment& segment = line.segments[Index(s)];
+      const crossfield::LineSegment& segment = line.segments[s];
       polyline.push_back(walk.PlaceAt(segment.triangle, segment.exit));
     }
-    polyline.push_back(walk.PlaceAt(line.segments[Index(line.lastSegment)], line.length));
+    polyline.push_back(walk.PlaceAt(line.segments[line.lastSegment], line.length));
     LineRow row;
     row.line = static_cast<int>(i);
     if (line.cone >= 0)
     {
-      row.singularity = map.cones[Index(line.cone)].row;
-      row.quarterIndex = map.cones[Index(line.cone)].quarterIndex;
+      row.singularity = map.cones[line.cone].row;
+      row.quarterIndex = map.cones[line.cone].quarterIndex;
     }
     row.endsAt = static_cast<int>(line.end);
     row.length = line.length;

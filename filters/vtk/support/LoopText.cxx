@@ -89,8 +89,7 @@ std::vector<Loop> ReadTable(const std::string& text, const std::string& file)
   std::array<vtkAbstractArray*, 3> columns{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    columns[static_cast<std::size_t>(axis)] =
-      PointTable::FindColumn(table, PointTable::NamesOfAxis(axis));
+    columns[axis] = PointTable::FindColumn(table, PointTable::NamesOfAxis(axis));
   }
   if (columns[0] == nullptr || columns[1] == nullptr)
   {

@@ -17,14 +17,14 @@ UsedPoints::UsedPoints(vtkDataSet* input)
       }
       for (const auto point : points)
       {
-        this->Indices[static_cast<std::size_t>(point)] = 0;
+        this->Indices[point] = 0;
       }
     });
   for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
   {
-    if (this->Indices[static_cast<std::size_t>(point)] == 0)
+    if (this->Indices[point] == 0)
     {
-      this->Indices[static_cast<std::size_t>(point)] = static_cast<int>(this->Ids.size());
+      this->Indices[point] = static_cast<int>(this->Ids.size());
       this->Ids.push_back(point);
     }
   }
@@ -36,7 +36,7 @@ crossfield::DomainPlane UsedPoints::FindPlane(vtkDataSet* input) const
   Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(this->Ids.size()));
   for (Eigen::Index i = 0; i < places.cols(); ++i)
   {
-    input->GetPoint(this->Ids[static_cast<std::size_t>(i)], places.col(i).data());
+    input->GetPoint(this->Ids[i], places.col(i).data());
   }
   return crossfield::DomainPlane::Find(places);
 }

@@ -23,7 +23,7 @@ public:
   const std::vector<vtkIdType>& GetIds() const { return this->Ids; }
 
   /** Returns the index of a used point in GetIds(). */
-  int IndexOf(vtkIdType point) const { return this->Indices[static_cast<std::size_t>(point)]; }
+  int IndexOf(vtkIdType point) const { return this->Indices[point]; }
 
   /** Returns the plane of the used points. */
   crossfield::DomainPlane FindPlane(vtkDataSet* input) const;
