@@ -13,9 +13,9 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "ReportJson.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkPoincareHopfCheck.h"
 
 #include "vtkDataSet.h"
@@ -107,12 +107,12 @@ int Check(const CheckOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write("check",
-                    { checked,
-                      { { "corners", check->GetOutputDataObject(2) },
-                        { "loops", check->GetOutputDataObject(1) },
-                        { "domain", domain->GetOutputDataObject(0) } } }),
-      options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", checked);
+    report->SetSource("corners", check->GetOutputDataObject(2));
+    report->SetSource("loops", check->GetOutputDataObject(1));
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    outputs.Write(report->Write("check"), options.json);
   }
   else if (!outputs.PrintsData())
   {

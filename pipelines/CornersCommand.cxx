@@ -10,9 +10,9 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "ReportJson.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -106,12 +106,12 @@ int Corners(const CornersOptions& options)
   OutputFile::WriteIfNamed(classifier->GetOutput(), options.output, outputs);
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write("corners",
-                    { classifier->GetOutput(),
-                      { { "scenarios", classifier->GetOutputDataObject(1) },
-                        { "split", classifier->GetOutputDataObject(2) },
-                        { "domain", domain->GetOutputDataObject(0) } } }),
-      options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", classifier->GetOutput());
+    report->SetSource("scenarios", classifier->GetOutputDataObject(1));
+    report->SetSource("split", classifier->GetOutputDataObject(2));
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    outputs.Write(report->Write("corners"), options.json);
   }
   else if (!outputs.PrintsData())
   {

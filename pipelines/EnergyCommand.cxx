@@ -10,9 +10,9 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "ReportJson.h"
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkSingularityEnergy.h"
 
 #include "vtkAlgorithm.h"
@@ -108,13 +108,13 @@ int Energy(const EnergyOptions& options)
   OutputTransaction outputs;
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write("energy",
-                    { table,
-                      { { "gradients", energy->GetOutputDataObject(1) },
-                        { "singularities", chosen.has_value() ? chosen->GetOutput() : nullptr },
-                        { "domain", domain->GetOutputDataObject(0) } },
-                      {}, files }),
-      options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", table);
+    report->SetSource("gradients", energy->GetOutputDataObject(1));
+    report->SetSource("singularities", chosen.has_value() ? chosen->GetOutput() : nullptr);
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    report->SetFiles(files);
+    outputs.Write(report->Write("energy"), options.json);
   }
   else if (!outputs.PrintsData())
   {

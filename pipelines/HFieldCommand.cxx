@@ -9,9 +9,9 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "ReportJson.h"
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkHField.h"
 
 #include "vtkAlgorithm.h"
@@ -102,12 +102,12 @@ int SolveH(const HFieldOptions& options)
   if (!options.json.empty())
   {
     const double* seconds = solver->GetStageSeconds(); // mesh, assemble, factor, solve
-    outputs.Write(ReportJson::Write("field",
-                    { field,
-                      { { "domain", domain->GetOutputDataObject(0) },
-                        { "singularities", usesHoles ? nullptr : singularities.GetOutput() } },
-                      { seconds[1], seconds[2], seconds[0], seconds[3], writeSeconds } }),
-      options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", field);
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    report->SetSource("singularities", usesHoles ? nullptr : singularities.GetOutput());
+    report->SetSeconds({ seconds[1], seconds[2], seconds[0], seconds[3], writeSeconds });
+    outputs.Write(report->Write("field"), options.json);
   }
   else if (!outputs.PrintsData())
   {

@@ -10,9 +10,9 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "ReportJson.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkSingularityOptimizer.h"
 
 #include "vtkAlgorithm.h"
@@ -135,10 +135,11 @@ int Optimize(const OptimizeOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(
-      ReportJson::Write("optimize",
-        { moved, { { "singularities", moved }, { "domain", domain->GetOutputDataObject(0) } } }),
-      options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", moved);
+    report->SetSource("singularities", moved);
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    outputs.Write(report->Write("optimize"), options.json);
   }
   else if (!outputs.PrintsData())
   {

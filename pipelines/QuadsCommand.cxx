@@ -12,11 +12,11 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "QuadsOutput.h"
-#include "ReportJson.h"
 #include "SideOptions.h"
 #include "SingularityInput.h"
 #include "SweepOptions.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkExtrudeQuads.h"
 #include "vtkQuadMeshWriter.h"
 #include "vtkQuadMesher.h"
@@ -82,16 +82,6 @@ bool HasCurves(vtkAlgorithm* domain)
   return vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0))
            ->GetCellData()
            ->GetAbstractArray(names::Curve) != nullptr;
-}
-
-/** Returns the data that the report of a mesh is written from. */
-ReportJson::Sources SourcesOf(
-  vtkUnstructuredGrid* quads, vtkQuadMesher* mesher, vtkAlgorithm* domain)
-{
-  const double* seconds = mesher->GetStageSeconds();
-  return { quads,
-    { { "singularities", Singularities(mesher) }, { "domain", domain->GetOutputDataObject(0) } },
-    std::vector<double>(seconds, seconds + 8) };
 }
 
 const std::map<std::string, int> SizingsWithoutArray = { { "auto", vtkQuadMesher::SizingAutomatic },
@@ -235,7 +225,12 @@ int Mesh(const QuadsOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write("quads", SourcesOf(quads, mesher, domain)), options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", quads);
+    report->SetSource("singularities", Singularities(mesher));
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    report->SetSeconds({ mesher->GetStageSeconds(), mesher->GetStageSeconds() + 8 });
+    outputs.Write(report->Write("quads"), options.json);
   }
   const bool prints = (options.json.empty() || options.verbose) && !outputs.PrintsData();
   if (prints)
@@ -286,7 +281,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command
     ->add_option("-o,--output", options->output,
       "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX, .su2 of SU2, "
-      ".cgns, .xyz of PLOT3D, .ex2 of Exodus, .case of EnSight or legacy .vtk, or into a case of OpenFOAM, a folder "
+      ".cgns, .xyz of PLOT3D, .ex2 of Exodus or legacy .vtk, or into a case of OpenFOAM, a folder "
       "with / at its end or a .foam file in it; "
       "as .vtu to standard output for -")
     ->required();

@@ -9,10 +9,10 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "ReportJson.h"
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldMap.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkSeparatrices.h"
 
 #include "vtkAlgorithm.h"
@@ -80,13 +80,14 @@ int Trace(const SeparatricesOptions& options)
   singularities.Save(options.savedSingularities, outputs);
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write("separatrices",
-                    { lines,
-                      { { "map", map->GetOutput() }, { "singularities", singularities.GetOutput() },
-                        { "domain", domain->GetOutputDataObject(0) } },
-                      { map->GetStageSeconds()[0], map->GetStageSeconds()[1],
-                        separatrices->GetStageSeconds() } }),
-      options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", lines);
+    report->SetSource("map", map->GetOutput());
+    report->SetSource("singularities", singularities.GetOutput());
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    report->SetSeconds(
+      { map->GetStageSeconds()[0], map->GetStageSeconds()[1], separatrices->GetStageSeconds() });
+    outputs.Write(report->Write("separatrices"), options.json);
   }
   else if (!outputs.PrintsData())
   {

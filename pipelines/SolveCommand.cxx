@@ -11,10 +11,10 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "ReportJson.h"
 #include "SingularityInput.h"
 #include "SolveMethods.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
@@ -105,11 +105,13 @@ int Solve(const SolveOptions& options)
   if (!options.json.empty())
   {
     const double* seconds = solver->GetStageSeconds(); // assemble, factor, solve
-    outputs.Write(
-      ReportJson::Write("field",
-        { field, { { "domain", domain->GetOutputDataObject(0) }, { "singularities", shown } },
-          { seconds[0], seconds[1], timer->GetElapsedTime(), seconds[2], writeSeconds } }),
-      options.json);
+    vtkNew<vtkCrossFieldReport> report;
+    report->SetSource("data", field);
+    report->SetSource("domain", domain->GetOutputDataObject(0));
+    report->SetSource("singularities", shown);
+    report->SetSeconds(
+      { seconds[0], seconds[1], timer->GetElapsedTime(), seconds[2], writeSeconds });
+    outputs.Write(report->Write("field"), options.json);
   }
   else if (!outputs.PrintsData())
   {

@@ -4,7 +4,6 @@
 #include "CgnsFile.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "HdfBytes.h"
 #include "Index.h"
 
 #include <cgnslib.h>
@@ -223,7 +222,6 @@ void crossfieldWriteCgns(const SolverMesh& mesh, std::string& bytes, std::string
     CgnsFile file;
     Writer(mesh, file.Number()).Write();
     bytes = file.Take();
-    MakeHdfRepeatable(bytes);
   }
   catch (const std::exception& problem)
   {

@@ -14,9 +14,8 @@ endforeach ()
 
 configure_file("${CMAKE_CURRENT_LIST_DIR}/__init__.py.in" "${package_directory}/__init__.py" @ONLY)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/names.py.in" "${package_directory}/names.py" @ONLY)
-configure_file("${CMAKE_CURRENT_LIST_DIR}/../vtk/reports.json" "${package_directory}/reports.json" COPYONLY)
-set(package_files __init__.py names.py reports.json)
-foreach (file IN ITEMS __init__.pyi _arguments.py _boundary.py _configurations.py _functions.py _input.py _layers.py _plot.py _quads.py _reports.py _results.py
+set(package_files __init__.py names.py)
+foreach (file IN ITEMS __init__.pyi _arguments.py _boundary.py _configurations.py _functions.py _input.py _layers.py _plot.py _quads.py _results.py
   _run.py _solid.py py.typed)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/${file}" "${package_directory}/${file}" COPYONLY)
   list(APPEND package_files "${file}")

@@ -3,13 +3,9 @@ from __future__ import annotations
 
 from typing import Any, Optional, Union
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
-from . import names
 from ._arguments import checks_arguments
 from ._input import Domain, Singularities, as_configuration, as_domain
-from ._reports import report_of
-from ._results import Configuration, Corners, configuration_of
+from ._results import Configuration, Corners, configuration_of, report_of
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import (
     vtkConfigurationProposal, vtkSingularityEnergy, vtkSingularityOptimizer)
@@ -167,6 +163,4 @@ def energy(domain: Domain, *configurations: Singularities, size: Optional[float]
             chosen(pipeline, data, None, size, corners).data if rows is None
             else as_configuration(rows))
     table = pipeline.update(filter_).GetOutput()
-    report = report_of("energy", table, gradients=filter_.GetOutputDataObject(1))
-    numbers = vtk_to_numpy(table.GetRowData().GetArray(names.Configuration)).tolist()
-    return [{"configuration": i, **row} for i, row in zip(numbers, report["configurations"])]
+    return report_of("energy", table, gradients=filter_.GetOutputDataObject(1))["configurations"]

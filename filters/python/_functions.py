@@ -9,8 +9,7 @@ from ._configurations import checked, chosen as choose, corner_points, give
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import (
     Corners, CrossField, HField, Mesh, Separatrices, ConsistencyCheck, copied, field_of, h_field_of, mesh_of,
-    places, separatrices_of)
-from ._reports import report_of
+    places, report_of, separatrices_of)
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import (
     vtkBoundaryCornerClassifier, vtkCrossFieldMap, vtkDrillHoles, vtkGinzburgLandauCrossField,

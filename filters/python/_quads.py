@@ -17,8 +17,7 @@ from ._input import Domain, Singularities, as_configuration, as_domain
 from ._layers import (
     CornerRows, Curves, Layers, Periodic, corner_rows_text, curves_text, layers_text, periodic_text)
 from ._plot import plot_quads
-from ._reports import report_of
-from ._results import Configuration, Corners, chains, configuration_of, copied, places
+from ._results import Configuration, Corners, chains, configuration_of, copied, places, report_of
 from ._run import Error, Pipeline
 from ._solid import SolidMesh, swept, unknown_ending, write_mesh
 from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadsToHigherOrder
@@ -149,7 +148,7 @@ class QuadMesh:
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a file in the format of its ending: `grid` as .vtu or .vtk, or quads and names of sides as .msh
-        (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus), .case (EnSight), or .foam and / for
+        (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus), or .foam and / for
         a case of OpenFOAM. Formats of meshio that hold quads, such as .med, .mesh and .bdf, are written by meshio: quads
         and boundary lines, with the loop of each line. Other endings are an Error."""
         if write_mesh(self.grid, path):

@@ -2,10 +2,12 @@
 from __future__ import annotations
 
 import contextlib
+import json
+import math
 import os
 import shutil
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -13,9 +15,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from . import names
-from ._reports import report_of
 from ._run import Error, Pipeline
-from .vtkCrossFieldFilters import vtkCrossFieldSingularities
+from .vtkCrossFieldFilters import vtkCrossFieldReport, vtkCrossFieldSingularities
 
 
 def copied(attributes: Any, name: str) -> np.ndarray:
@@ -28,6 +29,17 @@ def places(data: Any) -> np.ndarray:
     if data.GetNumberOfPoints() == 0:
         return np.empty((0, 3))
     return vtk_to_numpy(data.GetPoints().GetData()).copy()
+
+
+def report_of(name: str, data: Any, seconds: Sequence[float] = (), **others: Any) -> dict[str, Any]:
+    """Returns the report of this name on `data`; `others` are further sources of vtkCrossFieldReport, or None. Numbers
+    that do not exist are NaN."""
+    report = vtkCrossFieldReport()
+    for source, given in {"data": data, **others}.items():
+        report.SetSource(source, given)
+    report.SetSeconds(seconds)
+    return json.loads(report.Write(name), object_hook=lambda entries: {
+        key: math.nan if value is None else value for key, value in entries.items()})
 
 
 def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:

@@ -3,7 +3,7 @@
 
 /**
  * Names of the arrays that the filters read and write. Shapes and meanings are in the class
- * comments of the filters that write the arrays; reports.json lists those that reports contain.
+ * comments of the filters that write the arrays; vtkCrossFieldReport.cxx lists those that reports contain.
  */
 namespace vtkCrossFieldArrayNames
 {

@@ -11,7 +11,6 @@
  *   CGNS; order 1, with the cell arrays `BlockId`, `I`, `J` and in three dimensions `K`
  * - .xyz: PLOT3D, formatted, with a neutral map file beside it; as .cgns
  * - .ex2, .exo, .e: Exodus with an element block and a side set for each side; orders 1 and 2
- * - .case: EnSight Gold with a part for each side, in single precision, with a .geo file beside it; orders 1 and 2
  * - .vtk: the legacy format of VTK with all arrays; orders 1 to 3
  * - .foam, or / at the end: the folder of the file, or the folder, is a case of OpenFOAM, with
  *   constant/polyMesh, system/blockMeshDict if the quads have `BlockId`, `I` and `J`, and an empty .foam file;

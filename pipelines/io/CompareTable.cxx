@@ -1,15 +1,16 @@
 #include "CompareTable.h"
 
 #include "CommandLine.h"
-#include "JsonText.h"
-#include "ReportJson.h"
+#include "Json.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -70,6 +71,12 @@ void ReadDegrees(vtkUnstructuredGrid* field, CompareRow& row)
       static_cast<int>(degrees->GetComponent(hole, 0)) == quarter ? std::abs(quarter) : 0;
     ++hole;
   }
+}
+
+/** Returns JSON as text; bytes of notes that are not UTF-8 become the replacement character. */
+std::string JsonText(const nlohmann::ordered_json& json, int indent)
+{
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 using Fields = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
@@ -173,7 +180,9 @@ std::string Json(const std::vector<CompareRow>& rows, vtkDataObject* domain)
     methods.push_back(object);
   }
   nlohmann::ordered_json report = { { "methods", methods } };
-  ReportJson::AddCommon({ domain, { { "domain", domain } } }, report);
-  return JsonText(report) + "\n";
+  vtkNew<vtkCrossFieldReport> common;
+  common->SetSource("domain", domain);
+  report.update(nlohmann::ordered_json::parse(common->Write("")));
+  return JsonText(report, 2) + "\n";
 }
 }

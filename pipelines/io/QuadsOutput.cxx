@@ -1,12 +1,14 @@
 #include "QuadsOutput.h"
 
 #include "CommandLine.h"
-#include "ReportJson.h"
+#include "Json.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -84,11 +86,13 @@ namespace QuadsOutput
 {
 void Print(vtkUnstructuredGrid* quads)
 {
+  vtkNew<vtkCrossFieldReport> report;
+  report->SetSource("data", quads);
   std::cout << FieldValue(quads, names::Quads) << " quads in " << FieldValue(quads, names::Blocks)
             << " blocks, irregular nodes by valence "
-            << ReportJson::Write("quads", "irregular", quads) << ", minimum scaled Jacobian "
-            << FieldValue(quads, names::ScaledJacobianRange) << " (attainable "
-            << FieldValue(quads, names::ScaledJacobianBound) << ")\n";
+            << nlohmann::ordered_json::parse(report->Write("quads"))["irregular"]
+            << ", minimum scaled Jacobian " << FieldValue(quads, names::ScaledJacobianRange)
+            << " (attainable " << FieldValue(quads, names::ScaledJacobianBound) << ")\n";
   if (vtkDataArray* hexahedra = quads->GetFieldData()->GetArray(names::Hexahedra))
   {
     const double layers = FieldValue(quads, names::SweepLayers);

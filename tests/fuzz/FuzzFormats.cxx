@@ -197,7 +197,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     Damage(mesh, bytes);
   }
-  for (const char* name : { "a.msh", "a.inp", "a.su2", "a.xyz", "a.ex2", "a.case" })
+  for (const char* name : { "a.msh", "a.inp", "a.su2", "a.xyz", "a.ex2" })
   {
     Try(
       [&]

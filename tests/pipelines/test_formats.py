@@ -6,7 +6,6 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 import unittest
 
 from program import PROGRAM, ProgramTest
@@ -188,7 +187,7 @@ S
                                 (("-o", "a.su2", "--order", "2"), "order 1 only"),
                                 (("-o", "a.cgns", "--order", "2"), "order 1 only"),
                                 (("-o", "a.exo", "--order", "3"), "no elements of order 3"),
-                                (("-o", "a.med",), "must end in .vtu, .case, .cgns, .e, .ex2, .exo, .foam, .inp, .msh, .msh2, .su2, .vtk, .xyz or /")):
+                                (("-o", "a.case",), "must end in .vtu, .cgns, .e, .ex2, .exo, .foam, .inp, .msh, .msh2, .su2, .vtk, .xyz or /")):
             self.refuse("quads", "plain.vtp", *arguments, says=[says])
         self.assertEqual((self.folder / "old.inp").read_text(), "old")
         result = self.run_program("quads", "plain.vtp", "-o", "a.msh", "--msh-version", "3")
@@ -196,28 +195,27 @@ S
         self.assertFalse((self.folder / "a.msh").exists())
 
     @unittest.skipUnless(shutil.which("cgnscheck"), "cgnscheck is not installed")
-    def test_cgns_has_no_warnings_and_the_same_bytes(self):
+    def test_cgns_has_no_warnings_and_the_same_content(self):
         for domain in ("plate.vtp", "builtin:disk"):
             self.succeed("quads", domain, "-o", "a.cgns", "--quads", "300")
             check = subprocess.run(["cgnscheck", "-v", "a.cgns"], cwd=self.folder, check=True, capture_output=True, text=True)
             self.assertNotRegex(check.stdout + check.stderr, "(?i)warning|error")
-            time.sleep(1.1)  # HDF5 has times in seconds
             self.succeed("quads", domain, "-o", "b.cgns", "--quads", "300")
-            self.assertEqual((self.folder / "a.cgns").read_bytes(), (self.folder / "b.cgns").read_bytes())
+            difference = subprocess.run(["cgnsdiff", "-d", "a.cgns", "b.cgns"], cwd=self.folder, check=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            self.assertEqual(difference.stdout, "")
         self.succeed("quads", "plate.vtp", "-o", "a.cgns", "--quads", "300")
         text = subprocess.run(["cgnslist", "a.cgns"], cwd=self.folder, check=True, capture_output=True, text=True).stdout
         for name in ("in let", "say 'out'", "Стена", "1,2", "hole"):
             self.assertRegex(text, r"(?m)^ +\+-%s$" % re.escape(name))
 
     def test_files_come_in_pairs_or_not_at_all(self):
-        for first, second in (("a.xyz", "a.nmf"), ("a.case", "a.geo")):
-            self.succeed("quads", "plate.vtp", "-o", first, "--quads", "150")
-            before = [(self.folder / name).read_bytes() for name in (first, second)]
-            (self.folder / second).unlink()
-            (self.folder / second).mkdir()
-            self.refuse("quads", "plate.vtp", "-o", first, "--quads", "300", says=["is a folder"])
-            self.assertEqual((self.folder / first).read_bytes(), before[0])
-            (self.folder / second).rmdir()
+        self.succeed("quads", "plate.vtp", "-o", "a.xyz", "--quads", "150")
+        before = (self.folder / "a.xyz").read_bytes()
+        (self.folder / "a.nmf").unlink()
+        (self.folder / "a.nmf").mkdir()
+        self.refuse("quads", "plate.vtp", "-o", "a.xyz", "--quads", "300", says=["is a folder"])
+        self.assertEqual((self.folder / "a.xyz").read_bytes(), before)
 
     def test_tilted_planes(self):
         text = (self.folder / "plain.vtp").read_text()

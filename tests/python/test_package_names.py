@@ -1,13 +1,11 @@
 """Docstrings, names and stubs of the Python package: python3 test_package_names.py HEADER
 
-The examples in docstrings run, the names of arrays are those of the header, the table of reports
-uses these names, and the stubs list all public names.
+The examples in docstrings run, the names of arrays are those of the header, and the stubs list all public names.
 """
 import ast
 import contextlib
 import doctest
 import io
-import json
 import os
 import re
 import sys
@@ -42,29 +40,6 @@ def test_names():
     check(len(expected) > 30, "the header was not read")
 
 
-def arrays_of(entry):
-    """Returns the names of arrays in an entry of the table of reports."""
-    if isinstance(entry, dict):
-        return [name for inner in entry.values() for name in arrays_of(inner)]
-    kind, *arguments = entry
-    if kind in ("coordinate", "triangles", "stages", "seconds"):
-        return []
-    if "rows" in kind:
-        arguments = arguments[1:]
-    return [name for argument in arguments
-            for name in (arrays_of(argument) if isinstance(argument, dict)
-                         else [argument.rpartition("/")[2]] if isinstance(argument, str) and argument != "always"
-                         else [])]
-
-
-def test_reports():
-    with open(os.path.join(os.path.dirname(crossfield.__file__), "reports.json"), encoding="utf-8") as file:
-        table = json.load(file)
-    found = set(arrays_of(table["common"])) | set(arrays_of(table["reports"]))
-    check_equal(sorted(found - {name for name in vars(crossfield.names).values() if isinstance(name, str)}), [], "arrays without a name")
-    check(len(found) > 60, "the table was not read")
-
-
 def stub_names(path):
     """Returns the names that a .pyi file defines or exports."""
     found = set()
@@ -94,6 +69,6 @@ def test_stubs():
     check({"vtkDrillHoles", "vtkCrossGlyphs"} < classes, "the stubs lack classes")
 
 
-for test in (test_examples, test_names, test_reports, test_stubs):
+for test in (test_examples, test_names, test_stubs):
     test()
     print(test.__name__, "passed")

@@ -3,14 +3,12 @@
 #include "Error.h"
 #include "FoamCase.h"
 #include "MeshBlocks.h"
-#include "WriteEnSight.h"
 #include "WriteExodus.h"
 #include "WriteFoam.h"
 #include "WriteInp.h"
 #include "WritePlot3d.h"
 #include "WriteSu2.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -34,10 +32,10 @@ std::string EndingOf(const std::string& name)
 }
 
 const std::map<std::string, MeshFormat> Endings = { { ".cgns", MeshFormat::Cgns },
-  { ".case", MeshFormat::EnSight }, { ".e", MeshFormat::Exodus }, { ".ex2", MeshFormat::Exodus },
-  { ".exo", MeshFormat::Exodus }, { ".foam", MeshFormat::Foam }, { ".inp", MeshFormat::Inp },
-  { ".msh", MeshFormat::Msh }, { ".msh2", MeshFormat::Msh }, { ".su2", MeshFormat::Su2 },
-  { ".vtk", MeshFormat::Vtk }, { ".xyz", MeshFormat::Plot3d } };
+  { ".e", MeshFormat::Exodus }, { ".ex2", MeshFormat::Exodus }, { ".exo", MeshFormat::Exodus },
+  { ".foam", MeshFormat::Foam }, { ".inp", MeshFormat::Inp }, { ".msh", MeshFormat::Msh },
+  { ".msh2", MeshFormat::Msh }, { ".su2", MeshFormat::Su2 }, { ".vtk", MeshFormat::Vtk },
+  { ".xyz", MeshFormat::Plot3d } };
 
 /// Largest order of each format, and its name in messages.
 struct Limit
@@ -46,25 +44,10 @@ struct Limit
   std::string name;
 };
 const std::map<MeshFormat, Limit> Limits = { { MeshFormat::Cgns, { 1, ".cgns" } },
-  { MeshFormat::EnSight, { 2, ".case" } }, { MeshFormat::Exodus, { 2, ".ex2" } },
-  { MeshFormat::Foam, { 1, ".foam" } }, { MeshFormat::Inp, { 2, ".inp" } },
-  { MeshFormat::Msh, { 3, ".msh" } }, { MeshFormat::Plot3d, { 1, ".xyz" } },
-  { MeshFormat::Su2, { 1, ".su2" } }, { MeshFormat::Vtk, { 3, ".vtk" } } };
-
-/// Returns the name of the file beside another that has another ending.
-std::filesystem::path Beside(const std::string& name, const std::string& ending)
-{
-  return std::filesystem::path(name).replace_extension(ending);
-}
-
-std::vector<FileText> EnSightFiles(const SolverMesh& mesh, const std::string& name)
-{
-  std::filesystem::path geometry = Beside(name, ".geo");
-  std::string file = geometry.filename().string();
-  std::replace(file.begin(), file.end(), ' ', '_'); // names in cases have no blanks
-  geometry.replace_filename(file);
-  return { { name, WriteEnSightCase(file) }, { geometry.string(), WriteEnSightGeometry(mesh) } };
-}
+  { MeshFormat::Exodus, { 2, ".ex2" } }, { MeshFormat::Foam, { 1, ".foam" } },
+  { MeshFormat::Inp, { 2, ".inp" } }, { MeshFormat::Msh, { 3, ".msh" } },
+  { MeshFormat::Plot3d, { 1, ".xyz" } }, { MeshFormat::Su2, { 1, ".su2" } },
+  { MeshFormat::Vtk, { 3, ".vtk" } } };
 
 std::vector<FileText> WriteFoamFiles(const SolverMesh& mesh, const std::string& name)
 {
@@ -142,8 +125,6 @@ std::vector<FileText> WriteMeshFiles(SolverMesh mesh, const std::string& name, M
   PrepareMesh(mesh, format);
   switch (format)
   {
-  case MeshFormat::EnSight:
-    return EnSightFiles(mesh, name);
   case MeshFormat::Exodus:
     return { { name, WriteExodus(mesh) } };
   case MeshFormat::Foam:
@@ -151,7 +132,8 @@ std::vector<FileText> WriteMeshFiles(SolverMesh mesh, const std::string& name, M
   case MeshFormat::Inp:
     return { { name, WriteInp(mesh) } };
   case MeshFormat::Plot3d:
-    return { { name, WritePlot3d(mesh) }, { Beside(name, ".nmf").string(), WriteNmf(mesh) } };
+    return { { name, WritePlot3d(mesh) },
+      { std::filesystem::path(name).replace_extension(".nmf").string(), WriteNmf(mesh) } };
   case MeshFormat::Su2:
     return { { name, WriteSu2(mesh) } };
   case MeshFormat::Cgns:

@@ -12,15 +12,14 @@ namespace crossfield
 enum class MeshFormat
 {
   None,
-  Cgns,    ///< .cgns; WriteMeshFiles does not write it
-  EnSight, ///< .case of EnSight Gold
-  Exodus,  ///< .ex2, .exo and .e
-  Foam,    ///< a case of OpenFOAM: a folder, NAME/, or NAME.foam in it
-  Inp,     ///< .inp of Abaqus and CalculiX
-  Msh,     ///< .msh of Gmsh
-  Plot3d,  ///< .xyz of PLOT3D, with a neutral map file
-  Su2,     ///< .su2
-  Vtk      ///< .vtk; WriteMeshFiles does not write it
+  Cgns,   ///< .cgns; WriteMeshFiles does not write it
+  Exodus, ///< .ex2, .exo and .e
+  Foam,   ///< a case of OpenFOAM: a folder, NAME/, or NAME.foam in it
+  Inp,    ///< .inp of Abaqus and CalculiX
+  Msh,    ///< .msh of Gmsh
+  Plot3d, ///< .xyz of PLOT3D, with a neutral map file
+  Su2,    ///< .su2
+  Vtk     ///< .vtk; WriteMeshFiles does not write it
 };
 
 /// A file to write: its name, with folders, and its bytes.

@@ -3,7 +3,6 @@
 #include "Index.h"
 
 #include <array>
-#include <numeric>
 
 namespace crossfield
 {
@@ -82,15 +81,11 @@ std::vector<int> CellLattice::Face(int face) const
 std::vector<int> CellLattice::OrderFor(NodeOrder format) const
 {
   const std::size_t order = Index(this->Order - 1);
-  const bool isSerendipity = format == NodeOrder::Abaqus || format == NodeOrder::EnSight;
+  const bool isSerendipity = format == NodeOrder::Abaqus;
   Positions positions;
   if (this->Dimension == 1)
   {
     positions = Lines[order];
-    if (format == NodeOrder::EnSight)
-    {
-      std::iota(positions.begin(), positions.end(), 0);
-    }
   }
   else if (this->Dimension == 2)
   {

@@ -7,11 +7,10 @@ namespace crossfield
 /// How a format orders the nodes of cells and faces. All begin with the corners in VTK's order.
 enum class NodeOrder
 {
-  Vtk,     ///< Edges of quads in the direction of increasing index.
-  Gmsh,    ///< Edges around the cell, then inside the same again.
-  Abaqus,  ///< The nodes inside faces and cells are left out (serendipity elements).
-  EnSight, ///< As Abaqus; lines from end to end; prisms are hexahedra.
-  Exodus   ///< Upright edges before those of the top; prisms are hexahedra.
+  Vtk,    ///< Edges of quads in the direction of increasing index.
+  Gmsh,   ///< Edges around the cell, then inside the same again.
+  Abaqus, ///< The nodes inside faces and cells are left out (serendipity elements).
+  Exodus  ///< Upright edges before those of the top; prisms are hexahedra.
 };
 
 /// Positions in the lattice of nodes of a line, quad or hexahedron (SolverMesh.h), and their order in the
@@ -36,7 +35,7 @@ public:
   /// Returns the positions of the corners of a face, around it and outwards.
   std::vector<int> FaceCorners(int face) const;
 
-  /// Returns the positions of the nodes in the order of a format; Abaqus and EnSight have none of order 3.
+  /// Returns the positions of the nodes in the order of a format; Abaqus has none of order 3.
   std::vector<int> OrderFor(NodeOrder format) const;
 
 private:

@@ -7,7 +7,7 @@ namespace crossfield
 ElementNodes::ElementNodes(const SolverMesh& mesh, NodeOrder order)
   : Mesh(mesh)
   , Order(order)
-  , HasPrisms(mesh.dimension == 3 && order != NodeOrder::EnSight && order != NodeOrder::Exodus)
+  , HasPrisms(mesh.dimension == 3 && order != NodeOrder::Exodus)
 {
   const CellLattice lattice(mesh.dimension, mesh.order);
   this->Positions = lattice.OrderFor(order);

@@ -1,4 +1,4 @@
-// PLOT3D, Exodus and EnSight as their formats are read: exact numbers, order of points, names, empty groups.
+// PLOT3D and Exodus as their formats are read: exact numbers, order of points, names, empty groups.
 
 #include "FormatChecks.h"
 #include "MeshBlocks.h"
@@ -284,16 +284,6 @@ TEST(BlockFormats, NamesOfExodusAreCutAndDifferent)
   EXPECT_EQ(names[0], std::string(32, 'a'));
   EXPECT_EQ(names[1], std::string(30, 'a') + "_2");
   EXPECT_EQ(names[2], "größe 'x' 'y'");
-}
-
-TEST(BlockFormats, EnSightNamesItsGeometryWithoutBlanks)
-{
-  const std::vector<FileText> files =
-    WriteMeshFiles(BlockGrid({ 2, 1, 0 }, { 2, 1, 0 }, 1), "my folder/my case.case");
-  ASSERT_EQ(files.size(), 2U);
-  EXPECT_NE(files[0].text.find("model: my_case.geo\n"), std::string::npos);
-  EXPECT_EQ(files[1].name, "my folder/my_case.geo");
-  EXPECT_EQ(files[1].text.substr(0, 8), "C Binary");
 }
 
 TEST(BlockFormats, WhatCannotBeWrittenIsRefused)
