@@ -77,6 +77,7 @@ constexpr const char* FrontHolonomyDefect = "FrontHolonomyDefect";
 constexpr const char* Annihilation = "Annihilation";
 constexpr const char* Events = "Events";
 constexpr const char* Warnings = "Warnings";
+constexpr const char* Attempts = "Attempts"; // vtkQuadMesher
 constexpr const char* Iteration = "Iteration";
 constexpr const char* GradientNorm = "GradientNorm";
 constexpr const char* StepLength = "StepLength";

@@ -28,6 +28,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -193,6 +194,8 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   CornerConversion::WriteAmbiguous(result.ambiguousCorners, report);
   EnergyConversion::WriteEvents(result.events, summary);
   EnergyConversion::WriteWarnings(result.warnings, summary);
+  ColumnWriting::AddColumn<vtkStringArray>(report, vtkCrossFieldArrayNames::Attempts,
+    result.attempts, [](const std::string& attempt) { return attempt; });
   ViewText::Write(vtkCrossFieldArrayNames::Summary,
     ViewText::WrapLines(QuadReport::Summary(result)),
     result.quads.quality.inverted > 0 || !result.warnings.empty(), summary);

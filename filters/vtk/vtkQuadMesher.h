@@ -75,7 +75,7 @@
  * `PeriodicMismatch` (largest distance of a node from the image of its partner),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
- * `Warnings` (one sentence each), and `AmbiguousCorners` (number of corners within 1° of a tie between two quarter
+ * `Warnings` and `Attempts` (one sentence each), and `AmbiguousCorners` (number of corners within 1° of a tie between two quarter
  * indices, if there are any).
  *
  * An empty domain gives empty outputs. Failure, with outputs that are empty except for the text: as

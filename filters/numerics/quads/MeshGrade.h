@@ -1,6 +1,6 @@
 #pragma once
 
-#include "QuadMesher.h"
+#include "QuadResult.h"
 
 #include <cstddef>
 #include <limits>

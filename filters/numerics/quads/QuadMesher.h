@@ -1,13 +1,9 @@
 #pragma once
 
 #include "BoundarySides.h"
-#include "EdgeCounts.h"
-#include "QuadBlocks.h"
-#include "QuadQuality.h"
+#include "QuadResult.h"
 #include "QuadSizes.h"
-#include "QuadSmoothing.h"
 #include "SidePrescription.h"
-#include "TMesh.h"
 
 #include "Layout.h"
 
@@ -32,22 +28,6 @@ struct QuadOptions
   bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;
-};
-
-/// An all-quad mesh whose irregular points are exactly the cones of a map, with reports of the
-/// stages.
-struct QuadResult
-{
-  QuadMesh mesh;
-  TMesh tMesh;       ///< T-mesh of the layout, with nodes where sides and graded parts of them end.
-  double size = 0.0; ///< Edge length of quads in the map.
-  EdgeCounts counts;
-  SmoothingReport smoothing;
-  QuadQuality quality;
-  QuadBlocks blocks;
-  int separateBlocks = 0;     ///< Number of blocks without QuadOptions::coarse.
-  double layoutSeconds = 0.0; ///< Time to place the quads in the map.
-  double smoothSeconds = 0.0;
 };
 
 /// Makes a quad mesh of layouts (docs/method.md §14): edge counts, quads, smoothing. Nodes on paired

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "EdgeCounts.h"
+#include "QuadBlocks.h"
+#include "QuadQuality.h"
+#include "QuadSmoothing.h"
+#include "TMesh.h"
+
+namespace crossfield
+{
+/// An all-quad mesh whose irregular points are exactly the cones of a map, with reports of the
+/// stages.
+struct QuadResult
+{
+  QuadMesh mesh;
+  TMesh tMesh;       ///< T-mesh of the layout, with nodes where sides and graded parts of them end.
+  double size = 0.0; ///< Edge length of quads in the map.
+  EdgeCounts counts;
+  SmoothingReport smoothing;
+  QuadQuality quality;
+  QuadBlocks blocks;
+  int separateBlocks = 0;     ///< Number of blocks without QuadOptions::coarse.
+  double layoutSeconds = 0.0; ///< Time to place the quads in the map.
+  double smoothSeconds = 0.0;
+};
+}
