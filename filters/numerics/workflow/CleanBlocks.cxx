@@ -2,6 +2,7 @@
 
 #include "Candidates.h"
 #include "MeshForPoints.h"
+#include "MeshGrade.h"
 #include "Outcome.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "LayoutClosing.h"
-#include "MeshGrade.h"
+#include "QuadMesher.h"
 
 namespace crossfield
 {

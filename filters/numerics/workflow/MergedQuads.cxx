@@ -1,6 +1,7 @@
 #include "MergedQuads.h"
 
 #include "Candidates.h"
+#include "MeshGrade.h"
 #include "PatternStart.h"
 #include "QuadBudget.h"
 #include "SizingChoice.h"

@@ -3,6 +3,7 @@
 #include "CrossDirection.h"
 #include "HolePattern.h"
 #include "MeshForPoints.h"
+#include "MeshGrade.h"
 #include "Outcome.h"
 #include "RequestedSingularities.h"
 
