@@ -51,7 +51,7 @@ void PrintSummary(vtkTable* table, const std::vector<std::string>& files)
   {
     const auto value = [&](const char* name)
     { return table->GetValueByName(row, name).ToDouble(); };
-    std::cout << files[value(names::Configuration)];
+    std::cout << files[static_cast<std::size_t>(value(names::Configuration))];
     if (value(names::Consistent) == 0.0)
     {
       std::cout << " is not consistent; see `crossfield check`\n";

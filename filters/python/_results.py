@@ -38,8 +38,16 @@ def report_of(name: str, data: Any, seconds: Sequence[float] = (), **others: Any
     for source, given in {"data": data, **others}.items():
         report.SetSource(source, given)
     report.SetSeconds(seconds)
-    return json.loads(report.Write(name), object_hook=lambda entries: {
-        key: math.nan if value is None else value for key, value in entries.items()})
+    return without_null(json.loads(report.Write(name)))
+
+
+def without_null(value: Any) -> Any:
+    """Returns a value of JSON with NaN in the place of null."""
+    if isinstance(value, dict):
+        return {key: without_null(entry) for key, entry in value.items()}
+    if isinstance(value, list):
+        return [without_null(entry) for entry in value]
+    return math.nan if value is None else value
 
 
 def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:

@@ -3,7 +3,6 @@
 #include "Error.h"
 
 #include <optional>
-#include <utility>
 
 namespace crossfield
 {

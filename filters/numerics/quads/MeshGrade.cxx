@@ -40,6 +40,12 @@ bool IsAsGood(const QuadQuality& quality, const QuadQuality& other, const MergeT
                            other.variation + tolerance.variationRise);
 }
 
+bool IsAsClean(const QuadResult& quads, const QuadResult& other, double quadSize, int quadCount)
+{
+  return IsAsGood(quads.quality, other.quality, CleanTolerance) &&
+    CountExcess(quads, quadSize, quadCount) <= CountExcess(other, quadSize, quadCount);
+}
+
 bool IsCoarser(const QuadResult& quads, const QuadResult& other)
 {
   const std::size_t blocks = quads.blocks.blocks.size();

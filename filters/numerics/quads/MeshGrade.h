@@ -16,15 +16,16 @@ constexpr double AcceptableShape = 0.6;
 constexpr double GoodVariation = 0.12;
 
 /// What a mesh lacks. Of two meshes for the same request, the one with the smaller grade is better; its
-/// members are compared in their order.
+/// members are compared in their order. Merging blocks is judged by IsAsClean instead, and positions of
+/// the nodes of one mesh by SmoothQuads.
 struct MeshGrade
 {
-  int inverted = 0;
+  int inverted = 0;   ///< Number of inverted quads.
   double count = 0.0; ///< CountExcess.
-  double shape =
-    0.0; ///< What the minimum scaled Jacobian lacks to GoodShape, in parts of the attainable one.
+  /// What the minimum scaled Jacobian lacks to GoodShape, in parts of the attainable one.
+  double shape = 0.0;
   double variation = 0.0; ///< Excess over GoodVariation.
-  std::size_t blocks = 0;
+  std::size_t blocks = 0; ///< Number of blocks.
 
   /// Returns whether shapes and sizes need no improvement.
   bool IsGood() const
@@ -43,25 +44,30 @@ MeshGrade GradeOf(const QuadResult& quads, double quadSize, int quadCount, doubl
 /// requested.
 double CountExcess(const QuadResult& quads, double quadSize, int quadCount);
 
-/// How much worse a mesh with fewer blocks may be than another one.
+/// How much worse than another mesh one with fewer blocks may be: bounds of its minimum and mean scaled
+/// Jacobian and of its variation of sizes.
 struct MergeTolerance
 {
-  double jacobianFactor;  ///< Of the minimum scaled Jacobian,
-  double jacobianDrop;    ///< which may be lower by this as well.
-  double meanDrop;        ///< Of the mean scaled Jacobian.
-  double variationFactor; ///< Of the variation of sizes,
-  double variationRise;   ///< or larger by this.
+  double jacobianFactor; ///< The minimum is at least this times the other one, less jacobianDrop.
+  double jacobianDrop;
+  double meanDrop;        ///< The mean is at most this much smaller.
+  double variationFactor; ///< The variation is at most this times the other one,
+  double variationRise;   ///< or at most this much larger.
 };
 
 /// Where singularities move for fewer blocks: no loss of quality that a user would notice.
 constexpr MergeTolerance CleanTolerance = { 1.0, 0.02, 0.002, 1.35, 0.05 };
 /// Where separatrices are merged on request, at the cost of shapes: half of the minimum scaled Jacobian.
-constexpr MergeTolerance CoarseTolerance = { 0.5, 0.0, 2.0, 1.0,
+constexpr MergeTolerance CoarseTolerance = { 0.5, 0.0, std::numeric_limits<double>::infinity(), 1.0,
   std::numeric_limits<double>::infinity() };
 
 /// Returns whether a mesh has no inverted quads and is as good as another one within the tolerance.
 bool IsAsGood(
   const QuadQuality& quality, const QuadQuality& other, const MergeTolerance& tolerance);
+
+/// Returns whether a mesh is as good as another one within CleanTolerance, and its number of quads as near
+/// to the requested one, or within CountTolerance.
+bool IsAsClean(const QuadResult& quads, const QuadResult& other, double quadSize, int quadCount);
 
 /// Returns whether a mesh has fewer blocks than another one, or as many and a larger minimum scaled
 /// Jacobian.

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -182,8 +181,9 @@ private:
     }
     this->StartOf(attempt).tried = attempt.arcs;
     this->Result.maps += outcome.maps;
-    if (!outcome.quads || !IsAsGood(outcome.quads->quality, this->Start.quality, CleanTolerance) ||
-      this->CountExcessOf(*outcome.quads) > this->CountExcessOf(this->Start) ||
+    const QuadOptions& quads = this->Options.quads;
+    if (!outcome.quads ||
+      !IsAsClean(*outcome.quads, this->Start, quads.quadSize, quads.quadCount) ||
       !IsCoarser(*outcome.quads, this->Result.mesh.quads))
     {
       return false;
@@ -197,11 +197,6 @@ private:
       this->Best.tried = FindArcsToClose(this->Best.layout.tMesh, options);
     }
     return true;
-  }
-
-  double CountExcessOf(const QuadResult& quads) const
-  {
-    return CountExcess(quads, this->Options.quads.quadSize, this->Options.quads.quadCount);
   }
 
   const PlanarDomain& Domain;

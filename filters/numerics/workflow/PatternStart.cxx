@@ -48,11 +48,8 @@ bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, Me
     return false; // the pattern has no layout
   }
   const QuadResult& quads = pattern.value->quads;
-  const auto excess = [&](const QuadResult& result)
-  { return CountExcess(result, request.quadSize, request.quadCount); };
   if (quads.blocks.blocks.size() >= start.quads.blocks.blocks.size() ||
-    !IsAsGood(quads.quality, start.quads.quality, CleanTolerance) ||
-    excess(quads) > excess(start.quads))
+    !IsAsClean(quads, start.quads, request.quadSize, request.quadCount))
   {
     return false;
   }

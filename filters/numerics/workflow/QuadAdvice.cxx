@@ -159,11 +159,11 @@ Error WithSmoothing(const Error& error, double length, bool singularitiesAreGive
     std::ostringstream text;
     text << "smooth the boundary with a length of " << length
          << " (SmoothingLength of Boundary Simplifier, --smooth-boundary)";
-    return { error.GetCause(), text.str(), error.GetKind() };
+    return { error.GetCause(), text.str(), Error::Kind::BadInput };
   }
   return { error.GetCause() + " on a finer mesh as well",
     singularitiesAreGiven ? "move singularities away from each other and from the boundary"
                           : "give other singularities",
-    error.GetKind() };
+    Error::Kind::BadInput };
 }
 }

@@ -18,11 +18,11 @@ namespace
 {
 /// Factor of the distance from layers for the next attempt: rows are higher than the quads on average in some
 /// places, for example at corners that they turn around.
-constexpr double Farther = 1.3;
-/// Largest distance that is tried: chosen singularities move away three times.
-constexpr double Farthest = Farther * Farther * Farther;
-/// Factor of the edges of the second triangle mesh.
-constexpr double Finer = 2.0;
+constexpr double DistanceFactor = 1.3;
+/// Chosen singularities move away from layers three times.
+constexpr double LargestDistance = DistanceFactor * DistanceFactor * DistanceFactor;
+/// Refinement of the second triangle mesh.
+constexpr double FinerMesh = 2.0;
 
 /// Returns whether a domain with inner loops needs no singularities, and layers or sizes of sides are
 /// requested: around a profile that gives a C-grid or an O-grid.
@@ -50,18 +50,23 @@ QuadRequest RequestOf(const QuadRequest& request, const QuadAttempt& attempt)
   {
     result.singularities = Configuration();
   }
-  result.layerDistance = attempt.layerDistance;
+  result.layerDistance *= attempt.layerDistance;
   return result;
 }
 
 /// Returns whether two attempts have the same singularities, before the holonomy is repaired without
 /// request.
-bool HaveSamePlaces(const QuadAttempt& a, const QuadAttempt& b)
+bool HaveSameSingularities(const QuadAttempt& a, const QuadAttempt& b)
 {
   return a.hasSingularities == b.hasSingularities && a.layerDistance == b.layerDistance;
 }
 
-/// Returns the attempt as words, and its result.
+bool Is(const std::optional<Error>& error, Error::Kind kind)
+{
+  return error && error->GetKind() == kind;
+}
+
+/// Returns the attempt in words, and its quads or the cause of its error.
 std::string DescribeRecord(const QuadRequest& request, const QuadAttemptRecord& record)
 {
   const QuadAttempt& attempt = record.attempt;
@@ -74,15 +79,22 @@ std::string DescribeRecord(const QuadRequest& request, const QuadAttemptRecord& 
   text += attempt.repairsHolonomy ? ", with the holonomy repaired" : "";
   text += attempt.refinement > 1.0 ? ", on a finer triangle mesh" : "";
   text += !attempt.mergesBlocks ? ", without merging blocks" : "";
-  return text + ": " + record.result;
+  text += ": ";
+  if (!record.error)
+  {
+    return text + record.quads;
+  }
+  const std::string& cause = record.error->GetCause();
+  return text + (cause.empty() ? record.error->what() : Sentence(cause, {}));
 }
 
-/// Returns the number of quads, their shape and the number of blocks.
+/// Returns the number of quads and blocks, and the shape of quads.
 std::string DescribeQuads(const QuadResult& quads)
 {
   const int inverted = quads.quality.inverted;
-  return std::to_string(quads.mesh.quads.size()) + " quads in " +
-    std::to_string(quads.blocks.blocks.size()) + " blocks, minimum scaled Jacobian " +
+  const std::size_t blocks = quads.blocks.blocks.size();
+  return std::to_string(quads.mesh.quads.size()) + " quads in " + std::to_string(blocks) +
+    (blocks == 1 ? " block" : " blocks") + ", minimum scaled Jacobian " +
     FormatShort(quads.quality.jacobian.min) +
     (inverted > 0 ? ", " + std::to_string(inverted) + " inverted." : ".");
 }
@@ -101,22 +113,21 @@ public:
   {
     double done = 0.0;
     while (const std::optional<QuadAttempt> attempt =
-             NextAttempt(this->Domain, this->Request, this->Made))
+             NextAttempt(this->Domain, this->Request, this->Records))
     {
       // Most requests take one attempt; the others share what it leaves.
-      constexpr double Most = 0.9;
-      const double end = done + Most * (1.0 - done);
+      constexpr double Share = 0.9;
+      const double end = done + Share * (1.0 - done);
       const Progress part = progress.Part(done, end);
-      Outcome<QuadWorkflowResult> outcome = Try([&] { return this->Make(*attempt, part); });
+      this->Store(*attempt, Try([&] { return this->Make(*attempt, part); }));
       done = end;
-      this->Store(*attempt, std::move(outcome));
     }
     if (!this->Best)
     {
       throw this->FinalError();
     }
     this->Best->seconds = this->Seconds;
-    for (const QuadAttemptRecord& record : this->Made)
+    for (const QuadAttemptRecord& record : this->Records)
     {
       this->Best->attempts.push_back(DescribeRecord(this->Request, record));
     }
@@ -124,105 +135,83 @@ public:
   }
 
 private:
-  /// Makes an attempt. Singularities are placed once for all attempts with the same.
+  /// Makes an attempt. Singularities are placed, and repaired, once for all attempts with the same.
   QuadWorkflowResult Make(const QuadAttempt& attempt, const Progress& progress)
   {
-    // Half of it if singularities are chosen.
     const double placed = this->Request.singularities ? 0.1 : 0.5;
-    if (!this->Placed || !HaveSamePlaces(this->Made.back().attempt, attempt))
+    if (!this->Placed || !HaveSameSingularities(this->Records.back().attempt, attempt))
     {
       this->Placed.reset();
+      this->Repaired.reset();
       QuadSteps steps(this->Domain, RequestOf(this->Request, attempt), this->Seconds);
       steps.Place(progress.Part(0.0, placed));
       this->Placed.emplace(std::move(steps));
     }
-    QuadSteps steps = *this->Placed;
+    if (attempt.repairsHolonomy && !this->Repaired)
+    {
+      QuadSteps steps = *this->Placed;
+      steps.RepairHolonomy(progress.Part(0.0, placed));
+      this->Repaired.emplace(std::move(steps));
+    }
+    QuadSteps steps = attempt.repairsHolonomy ? *this->Repaired : *this->Placed;
     if (!attempt.mergesBlocks)
     {
       steps.DoNotMerge();
     }
-    this->AddEvents(attempt, steps);
-    if (attempt.repairsHolonomy)
-    {
-      steps.RepairHolonomy();
-    }
     return steps.MakeQuads(attempt.refinement, progress.Part(placed, 1.0));
-  }
-
-  /// Adds why earlier attempts with the same singularities had no layout.
-  void AddEvents(const QuadAttempt& attempt, QuadSteps& steps) const
-  {
-    for (const QuadAttemptRecord& record : this->Made)
-    {
-      if (!HaveSamePlaces(record.attempt, attempt) || !record.error ||
-        record.error->GetKind() != Error::Kind::CoarseMesh)
-      {
-        continue;
-      }
-      const std::string why = record.error->what();
-      steps.AddEvent(record.attempt.refinement == 1.0
-          ? "The triangle mesh was refined once, to edges half as long. With the first mesh: " + why
-          : "The singularities were moved so that grid lines close up around the inner loops. "
-            "Without this: " +
-            why);
-    }
   }
 
   /// Stores what an attempt led to, and its quads if they are the best.
   void Store(const QuadAttempt& attempt, Outcome<QuadWorkflowResult> outcome)
   {
     QuadAttemptRecord record{ attempt, std::move(outcome.error), false, {} };
-    if (record.error)
+    if (outcome.value)
     {
-      record.result = record.error->what();
-      this->Made.push_back(std::move(record));
-      return;
+      QuadWorkflowResult& result = *outcome.value;
+      const QuadQuality& quality = result.quads.quality;
+      record.quads = DescribeQuads(result.quads);
+      record.isAcceptable =
+        quality.inverted == 0 && quality.jacobian.min >= AcceptableShape * quality.bound;
+      if (!attempt.hasSingularities)
+      {
+        result.events.insert(
+          result.events.begin(), "The grid lines around the inner loops need no singularities.");
+      }
+      if (attempt.repairsHolonomy && this->Request.singularities)
+      {
+        this->Offer = std::move(result.repair); // given singularities are not moved
+      }
+      else if (!this->Best || this->IsBetter(result, *this->Best))
+      {
+        this->Best = std::move(result);
+      }
     }
-    QuadWorkflowResult& result = *outcome.value;
-    const QuadQuality& quality = result.quads.quality;
-    record.result = DescribeQuads(result.quads);
-    record.isGood =
-      quality.inverted == 0 && quality.jacobian.min >= AcceptableShape * quality.bound;
-    if (!attempt.hasSingularities)
-    {
-      result.events.insert(
-        result.events.begin(), "The grid lines around the inner loops need no singularities.");
-    }
-    if (!attempt.mergesBlocks)
-    {
-      result.events.push_back(
-        "Blocks were not merged, because that leaves too few rows for the layers.");
-    }
-    if (attempt.repairsHolonomy && this->Request.singularities)
-    {
-      this->Repair = std::move(result.repair); // an offer: given singularities are not moved
-    }
-    else if ((attempt.hasSingularities || quality.inverted == 0) &&
-      (!this->Best || this->GradeOfQuads(result) < this->GradeOfQuads(*this->Best)))
-    {
-      this->Best = std::move(result);
-    }
-    this->Made.push_back(std::move(record));
+    this->Records.push_back(std::move(record));
   }
 
-  MeshGrade GradeOfQuads(const QuadWorkflowResult& result) const
+  bool IsBetter(const QuadWorkflowResult& one, const QuadWorkflowResult& other) const
   {
-    return GradeOf(result.quads, this->Request.quadSize, this->Request.quadCount);
+    const double attainable = std::max(one.quads.quality.bound, other.quads.quality.bound);
+    const auto grade = [&](const QuadWorkflowResult& result)
+    { return GradeOf(result.quads, this->Request.quadSize, this->Request.quadCount, attainable); };
+    return grade(one) < grade(other);
   }
 
-  /// Returns the error of the last attempt that did not repair the holonomy without request, with the
-  /// remedy that follows from the other attempts.
+  /// Returns the error of the last attempt, with the remedy that follows from the others. Attempts that
+  /// repair the holonomy without request do not count, unless their singularities, which were chosen,
+  /// leave too few rows.
   Error FinalError() const
   {
-    const Error& error = *std::find_if(this->Made.rbegin(), this->Made.rend(),
-      [](const QuadAttemptRecord& record)
+    const Error& error = *std::find_if(this->Records.rbegin(), this->Records.rend(),
+      [&](const QuadAttemptRecord& record)
       {
         return record.error &&
-          (!record.attempt.repairsHolonomy || record.error->GetKind() == Error::Kind::LackOfRows);
+          (!record.attempt.repairsHolonomy ||
+            (!this->Request.singularities && Is(record.error, Error::Kind::LackOfRows)));
       })->error;
-    if (this->Repair)
+    if (this->Offer)
     {
-      return { error.GetCause(), RepairAdvice(*this->Repair), Error::Kind::BadInput };
+      return { error.GetCause(), RepairAdvice(*this->Offer), Error::Kind::BadInput };
     }
     if (error.GetKind() == Error::Kind::LackOfRows)
     {
@@ -237,10 +226,11 @@ private:
 
   const PlanarDomain& Domain;
   const QuadRequest& Request;
-  std::vector<QuadAttemptRecord> Made;
-  std::optional<QuadSteps> Placed; ///< After Place, of the last attempt.
+  std::vector<QuadAttemptRecord> Records;
+  std::optional<QuadSteps> Placed;   ///< With the singularities of the last attempt.
+  std::optional<QuadSteps> Repaired; ///< The same with the holonomy repaired without request.
   std::optional<QuadWorkflowResult> Best;
-  std::optional<HolonomyRepair> Repair; ///< Of given singularities, if it leads to quads.
+  std::optional<HolonomyRepair> Offer; ///< A repair that leads to quads, of given singularities.
   QuadSeconds Seconds;
 };
 }
@@ -256,11 +246,15 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadReq
   }
   const QuadAttemptRecord& last = made.back();
   QuadAttempt next = last.attempt;
-  const bool isCoarse = last.error && last.error->GetKind() == Error::Kind::CoarseMesh;
+  const bool isCoarse = Is(last.error, Error::Kind::CoarseMesh);
   if (isCoarse && next.refinement == 1.0)
   {
-    next.refinement = Finer;
+    next.refinement = FinerMesh;
     return next;
+  }
+  if (!next.hasSingularities)
+  {
+    return last.isAcceptable ? std::nullopt : std::optional<QuadAttempt>(QuadAttempt());
   }
   const bool hasInnerLoops = domain.loops.size() > 1;
   if (isCoarse && hasInnerLoops && !next.repairsHolonomy && !request.repairHolonomy)
@@ -269,21 +263,17 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadReq
     next.refinement = 1.0;
     return next;
   }
-  if (!last.attempt.hasSingularities)
+  if (Is(last.error, Error::Kind::LackOfRows))
   {
-    return last.isGood ? std::nullopt : std::optional<QuadAttempt>(QuadAttempt());
-  }
-  if (last.error && last.error->GetKind() == Error::Kind::LackOfRows)
-  {
-    next.refinement = 1.0;
-    next.repairsHolonomy = false;
     if (next.mergesBlocks && request.merge == BlockMerge::Clean)
     {
       next.mergesBlocks = false;
       return next;
     }
-    next.layerDistance *= Farther;
-    if (!request.singularities && next.layerDistance <= Farthest)
+    next.layerDistance *= DistanceFactor;
+    next.refinement = 1.0;
+    next.repairsHolonomy = false;
+    if (!request.singularities && next.layerDistance <= LargestDistance)
     {
       return next;
     }

@@ -87,7 +87,7 @@ struct BlockCounts
   std::optional<int> coarse;
 };
 
-/// Wall-clock time of each step of MakeQuadMesh, in seconds.
+/// Wall-clock time of each step of MakeQuadMesh in all attempts, in seconds.
 struct QuadSeconds
 {
   double choose = 0.0; ///< Choosing and repairing singularities.
@@ -107,13 +107,12 @@ struct QuadWorkflowResult
   double moved = 0.0;          ///< Maximum distance of a node from the position given or chosen.
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
   int ambiguousCorners = 0; ///< Corners that are not prescribed and within AmbiguousAngle of a tie.
-  /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh
-  /// was refined; one
-  /// sentence each.
+  /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh was
+  /// refined; one sentence each.
   std::vector<std::string> events;
   std::vector<std::string> attempts;      ///< What was tried, with its result; one sentence each.
   std::optional<OptimizerResult> optimum; ///< Run that chose them, unless they were given.
-  std::optional<HolonomyRepair> repair;   ///< If it was requested.
+  std::optional<HolonomyRepair> repair;   ///< If it was requested or necessary.
   std::vector<double> holonomyDefect;     ///< Defects of the map per inner loop, radians.
   std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
   /// What is wrong with the mesh, and what helps where something was found that does: positions of

@@ -20,6 +20,23 @@ namespace crossfield
 {
 namespace
 {
+/// Adds the seconds of its scope to a number, also if it is left by an exception.
+class ScopedSeconds
+{
+public:
+  explicit ScopedSeconds(double& seconds)
+    : Seconds(seconds)
+  {
+  }
+  ScopedSeconds(const ScopedSeconds&) = delete;
+  ScopedSeconds& operator=(const ScopedSeconds&) = delete;
+  ~ScopedSeconds() { this->Seconds += this->Clock.Lap(); }
+
+private:
+  double& Seconds;
+  Stopwatch Clock;
+};
+
 /// Throws Error if a singularity on the boundary makes the quarter index there 2 or more, which
 /// leaves no angle for a quad. Capping changes corners of the domain only.
 void RequireAngles(const PlanarDomain& domain, const Configuration& singularities,
@@ -62,11 +79,10 @@ QuadSteps::QuadSteps(const PlanarDomain& domain, QuadRequest request, QuadSecond
 
 void QuadSteps::Place(const Progress& progress)
 {
-  Stopwatch clock;
+  const ScopedSeconds timed(this->Seconds.choose);
   this->Choose(progress.Part(0.0, 0.9));
   this->Split();
   this->RepairOnRequest(progress.Part(0.9, 1.0));
-  this->Seconds.choose += clock.Lap();
 }
 
 void QuadSteps::Choose(const Progress& progress)
@@ -94,7 +110,7 @@ void QuadSteps::Split()
     this->AddEvents(split.events);
   }
   RequireNodes(this->Domain, this->Result.singularities);
-  this->Started = this->Result.singularities;
+  this->BeforeRepair = this->Result.singularities;
 }
 
 void QuadSteps::RepairOnRequest(const Progress& progress)
@@ -107,7 +123,7 @@ void QuadSteps::RepairOnRequest(const Progress& progress)
     [&]
     {
       return RepairForMap(
-        this->Domain, this->Started, this->MapOptions, this->Request.meshSize, progress);
+        this->Domain, this->BeforeRepair, this->MapOptions, this->Request.meshSize, progress);
     });
   if (!repair.value)
   {
@@ -119,27 +135,40 @@ void QuadSteps::RepairOnRequest(const Progress& progress)
     return;
   }
   const double part = this->Request.repairPart;
-  for (std::size_t i = 0; part < 1.0 && i < this->Started.size(); ++i)
+  for (std::size_t i = 0; part < 1.0 && i < this->BeforeRepair.size(); ++i)
   {
     Point& position = repair.value->singularities[i].position;
-    position = (1.0 - part) * this->Started[i].position + part * position;
+    position = (1.0 - part) * this->BeforeRepair[i].position + part * position;
   }
   repair.value->largestMove *= part;
   this->UseRepair(std::move(*repair.value));
 }
 
-void QuadSteps::RepairHolonomy()
+void QuadSteps::RepairHolonomy(const Progress& progress)
 {
-  std::optional<HolonomyRepair> repair = this->FindRepair();
+  std::optional<HolonomyRepair> repair = this->FindRepair(progress);
   if (!repair)
   {
     throw Error("The holonomy needs no repair, or none was found.");
   }
   this->UseRepair(std::move(*repair));
+  this->AddEvent(
+    "The singularities were moved so that grid lines close up around the inner loops, because "
+    "there were no quads without this.");
+}
+
+void QuadSteps::DoNotMerge()
+{
+  this->Request.merge = BlockMerge::None;
+  this->AddEvent("Blocks were not merged, because that leaves too few rows for the layers.");
 }
 
 QuadWorkflowResult QuadSteps::MakeQuads(double refinement, const Progress& progress)
 {
+  if (refinement > 1.0)
+  {
+    this->AddEvent("The triangle mesh was refined once, to edges half as long.");
+  }
   const double laidOut = this->Request.merge == BlockMerge::None ? 0.6 : 0.2;
   Layout layout = this->MakeLayout(refinement, progress.Part(0.0, laidOut));
   this->MakeQuadsOf(std::move(layout), progress.Part(laidOut, 1.0));
@@ -153,13 +182,22 @@ Layout QuadSteps::MakeLayout(double refinement, const Progress& progress)
   const Configuration& singularities = this->Result.singularities;
   const SharedPlanarTopology topology = ShareTopology(MeshThroughPoints(
     this->Domain, singularities, this->Request.meshSize, progress.Part(0.0, 0.2), refinement));
-  this->Seconds.mesh += clock.Lap();
   RequireAngles(this->Domain, singularities, this->CornersOn(*topology));
-  Layout layout = LayOut(topology, singularities, this->MapOptions,
-    this->Request.merge != BlockMerge::None, progress.Part(0.2, 1.0));
-  this->Seconds.map += layout.mapSeconds;
-  this->Seconds.trace += layout.traceSeconds;
-  return layout;
+  this->Seconds.mesh += clock.Lap();
+  Outcome<Layout> layout = Try(
+    [&]
+    {
+      return LayOut(topology, singularities, this->MapOptions,
+        this->Request.merge != BlockMerge::None, progress.Part(0.2, 1.0));
+    });
+  if (!layout.value)
+  {
+    this->Seconds.map += clock.Lap();
+    throw Error(*layout.error);
+  }
+  this->Seconds.map += layout.value->mapSeconds;
+  this->Seconds.trace += layout.value->traceSeconds;
+  return std::move(*layout.value);
 }
 
 /// Makes the quads of a layout, merges blocks and adds layers.
@@ -173,21 +211,22 @@ void QuadSteps::MakeQuadsOf(Layout layout, const Progress& progress)
   const Layout& used = merged.mesh.layouts.Single();
   if (this->Request.merge != BlockMerge::None)
   {
-    this->Result.singularities = this->Started = used.singularities;
+    this->Result.singularities = this->BeforeRepair = used.singularities;
   }
   this->Describe(used);
   QuadResult& quads = merged.mesh.quads;
-  if (!this->Request.layers.empty())
-  {
-    this->Result.layers = AddLayersForCount(
-      this->Domain, this->Request, this->Total, merged.mesh.layouts, merged.options, quads);
-  }
   this->Seconds.clean += merged.cleanSeconds;
   this->Seconds.integers += quads.counts.seconds;
   this->Seconds.layout += quads.layoutSeconds;
   this->Seconds.smooth += quads.smoothSeconds;
+  if (!this->Request.layers.empty())
+  {
+    const ScopedSeconds timed(this->Seconds.layout);
+    this->Result.layers = AddLayersForCount(
+      this->Domain, this->Request, this->Total, merged.mesh.layouts, merged.options, quads);
+  }
   NodePositions nodes =
-    FindNodePositions(used.map, quads.mesh, this->Result.singularities, this->Started);
+    FindNodePositions(used.map, quads.mesh, this->Result.singularities, this->BeforeRepair);
   this->Result.singularities = std::move(nodes.singularities);
   this->Result.moved = std::max(merged.moved, nodes.moved);
   this->AddEvents(nodes.events);
@@ -233,15 +272,18 @@ void QuadSteps::UseRepair(HolonomyRepair repair)
 
 /// Returns a repair of the holonomy that was not requested; none if there is nothing to repair or
 /// it is impossible.
-std::optional<HolonomyRepair> QuadSteps::FindRepair() const
+std::optional<HolonomyRepair> QuadSteps::FindRepair(const Progress& progress)
 {
+  const ScopedSeconds timed(this->Seconds.choose);
   if (this->Result.repair || this->Domain.loops.size() < 2)
   {
     return std::nullopt;
   }
   Outcome<HolonomyRepair> repair = Try(
-    [&] {
-      return RepairForMap(this->Domain, this->Started, this->MapOptions, this->Request.meshSize);
+    [&]
+    {
+      return RepairForMap(
+        this->Domain, this->BeforeRepair, this->MapOptions, this->Request.meshSize);
     });
   const bool isNoticeable = repair.value &&
     std::any_of(repair.value->before.begin(), repair.value->before.end(),

@@ -9,7 +9,8 @@ namespace crossfield
 class QuadSteps
 {
 public:
-  /// `seconds` adds up the time of all steps, also of copies. Throws Error as RequireLayers does.
+  /// `seconds` adds up the time of all steps, also of copies and of steps that throw. Throws Error as
+  /// RequireLayers does.
   QuadSteps(const PlanarDomain& domain, QuadRequest request, QuadSeconds& seconds);
 
   /// Chooses singularities unless they are given, splits indices and repairs the holonomy on request.
@@ -17,14 +18,14 @@ public:
   void Place(const Progress& progress);
   /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or there
   /// is nothing to repair.
-  void RepairHolonomy();
+  void RepairHolonomy(const Progress& progress);
   /// Meshes with edges divided by `refinement` (MeshThroughPoints), solves for the map, traces the
   /// separatrices, makes quads, merges blocks and adds layers. Throws Error as MeshThroughPoints, LayOut,
   /// MakeQuads and AddLayers do.
   QuadWorkflowResult MakeQuads(double refinement, const Progress& progress);
 
-  void DoNotMerge() { this->Request.merge = BlockMerge::None; }
-  void AddEvent(const std::string& event) { this->Result.events.push_back(event); }
+  /// Makes quads without merging blocks, whatever the request says.
+  void DoNotMerge();
 
 private:
   void Choose(const Progress& progress);
@@ -34,9 +35,10 @@ private:
   void MakeQuadsOf(Layout layout, const Progress& progress);
   std::vector<CountedCorner> CornersOn(const PlanarTopology& topology) const;
   void Describe(const Layout& layout);
+  void AddEvent(const std::string& event) { this->Result.events.push_back(event); }
   void AddEvents(const std::vector<std::string>& events);
   void UseRepair(HolonomyRepair repair);
-  std::optional<HolonomyRepair> FindRepair() const;
+  std::optional<HolonomyRepair> FindRepair(const Progress& progress = {});
   void AddWarnings();
   double SideLength() const;
 
@@ -45,7 +47,7 @@ private:
   QuadRequest Request;
   const int Total; ///< Requested number of quads.
   SeamlessMapOptions MapOptions;
-  Configuration Started; ///< The singularities before they were repaired.
+  Configuration BeforeRepair; ///< The singularities before the holonomy was repaired.
   QuadWorkflowResult Result;
   QuadSeconds& Seconds;
 };

@@ -205,7 +205,7 @@ void AddCurves(const CellCurves& curves, vtkDataSet* domain)
   }
   vtkFieldData* data = domain->GetFieldData();
   ColumnWriting::AddColumn<vtkStringArray>(data, names::CurveKind, curves.curves,
-    [](const PlaneCurve& curve) { return Kinds[curve.kind]; });
+    [](const PlaneCurve& curve) { return Kinds[static_cast<std::size_t>(curve.kind)]; });
   ColumnWriting::AddColumn<vtkIdTypeArray>(
     data, names::CurveOffset, offsets, [](vtkIdType offset) { return offset; });
   ColumnWriting::AddNumbers(data, names::CurveValues, values);

@@ -42,7 +42,8 @@ QuadAttemptRecord Record(const QuadAttempt& attempt, Result result)
 }
 
 /// Calls visit with every list of records that leads to no further attempt.
-temring<typename Visit> void ForAllRuns(const PlanarDomain& domain, const QuadRequest& request,
+template <typename Visit>
+void ForAllRuns(const PlanarDomain& domain, const QuadRequest& request,
   std::vector<QuadAttemptRecord> made, const Visit& visit)
 {
   const std::optional<QuadAttempt> next = NextAttempt(domain, request, made);
@@ -85,11 +86,11 @@ TEST(QuadAttempts, AreDifferentAndEndWithTheFirstGoodOne)
         {
           request.singularities.emplace();
         }
-        std::size_t most = 0;
+        std::size_t largest = 0;
         ForAllRuns(domain, request, {},
           [&](const std::vector<QuadAttemptRecord>& made)
           {
-            most = std::max(most, made.size());
+            largest = std::max(largest, made.size());
             std::set<decltype(Values({}))> different;
             for (const QuadAttemptRecord& record : made)
             {
@@ -97,9 +98,9 @@ TEST(QuadAttempts, AreDifferentAndEndWithTheFirstGoodOne)
             }
             EXPECT_EQ(different.size(), made.size());
             EXPECT_TRUE(std::none_of(made.begin(), made.end() - 1,
-              [](const QuadAttemptRecord& record) { return record.isGood; }));
+              [](const QuadAttemptRecord& record) { return record.isAcceptable; }));
           });
-        EXPECT_GE(most, isGiven && name == std::string("disk") ? 2U : 4U);
+        EXPECT_GE(largest, isGiven && name == std::string("disk") ? 2U : 4U);
       }
     }
   }
