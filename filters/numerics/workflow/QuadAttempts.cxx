@@ -20,7 +20,7 @@ namespace
 /// places, for example at corners that they turn around.
 constexpr double DistanceFactor = 1.3;
 /// Chosen singularities move away from layers three times.
-constexpr double LargestDistance = DistanceFactor * DistanceFactor * DistanceFactor;
+constexpr double LayerDistanceLimit = DistanceFactor * DistanceFactor * DistanceFactor;
 /// Refinement of the second triangle mesh.
 constexpr double FinerMesh = 2.0;
 
@@ -273,7 +273,7 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadReq
     next.layerDistance *= DistanceFactor;
     next.refinement = 1.0;
     next.repairsHolonomy = false;
-    if (!request.singularities && next.layerDistance <= LargestDistance)
+    if (!request.singularities && next.layerDistance <= LayerDistanceLimit)
     {
       return next;
     }

@@ -283,7 +283,7 @@ std::optional<HolonomyRepair> QuadSteps::FindRepair(const Progress& progress)
     [&]
     {
       return RepairForMap(
-        this->Domain, this->BeforeRepair, this->MapOptions, this->Request.meshSize);
+        this->Domain, this->BeforeRepair, this->MapOptions, this->Request.meshSize, progress);
     });
   const bool isNoticeable = repair.value &&
     std::any_of(repair.value->before.begin(), repair.value->before.end(),
