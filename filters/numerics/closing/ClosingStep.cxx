@@ -1,6 +1,6 @@
 #include "ClosingStep.h"
 
-#include <Eigen/SVD>
+#include "DenseSolvers.h"
 
 #include <algorithm>
 

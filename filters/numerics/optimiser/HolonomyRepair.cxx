@@ -1,10 +1,9 @@
 #include "HolonomyRepair.h"
 
+#include "DenseSolvers.h"
 #include "Error.h"
 #include "OptimizerStage.h"
 #include "PoincareHopf.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +44,7 @@ Eigen::VectorXd ShortestStep(const OptimizerState& current, const Eigen::VectorX
   {
     ThrowUnreachable(current.defects);
   }
-  const Eigen::VectorXd step =
-    current.defectGradient.completeOrthogonalDecomposition().solve(change);
+  const Eigen::VectorXd step = LeastSquares(current.defectGradient, change);
   // Part of the requested change that no singularity can influence, relative to the change.
   constexpr double UnreachableTolerance = 1e-6;
   if ((current.defectGradient * step - change).norm() > UnreachableTolerance * change.norm())

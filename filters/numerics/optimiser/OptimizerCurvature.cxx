@@ -1,8 +1,8 @@
 #include "OptimizerCurvature.h"
 
+#include "DenseSolvers.h"
+
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 
@@ -36,9 +36,7 @@ Eigen::VectorXd EstimateMultipliers(const OptimizerState& current)
 {
   return current.defects.size() == 0
     ? Eigen::VectorXd()
-    : Eigen::VectorXd(Eigen::MatrixXd(current.defectGradient.transpose())
-                        .completeOrthogonalDecomposition()
-                        .solve(-current.ObjectiveGradient()));
+    : LeastSquares(current.defectGradient.transpose(), -current.ObjectiveGradient());
 }
 
 std::optional<Eigen::VectorXd> FindDescent(const OptimizerObjective& objective,

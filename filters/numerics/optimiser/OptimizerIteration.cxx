@@ -1,11 +1,11 @@
 #include "OptimizerIteration.h"
 
+#include "DenseSolvers.h"
 #include "OptimizerCurvature.h"
 #include "Plane.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>

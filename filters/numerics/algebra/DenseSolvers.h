@@ -1,0 +1,14 @@
+/// \file
+/// Decompositions of small dense matrices of any rank, which are compiled once because each takes many seconds.
+#pragma once
+
+#include <Eigen/SVD>
+
+extern template class Eigen::BDCSVD<Eigen::MatrixXd>;
+extern template class Eigen::JacobiSVD<Eigen::MatrixXd>;
+
+namespace crossfield
+{
+/// Returns the shortest of the vectors x that minimise |A x − b|.
+Eigen::VectorXd LeastSquares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rightHandSide);
+}
