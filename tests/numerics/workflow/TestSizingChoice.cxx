@@ -3,6 +3,7 @@
 #include "SizingChoice.h"
 
 #include "MakePlanarDomain.h"
+#include "MeshGrade.h"
 #include "QuadWorkflow.h"
 #include "Support.h"
 
