@@ -159,6 +159,26 @@ TEST(QuadAttempts, MoveChosenSingularitiesAwayFromLayersUpToALimit)
   EXPECT_FALSE(NextAttempt(disk, request, { Record({}, Result::LackOfRows) }));
 }
 
+TEST(QuadAttempts, KeepTheMeshWhereOnlyMergingIsInTheWay)
+{
+  const PlanarDomain ring = Builtin("ring");
+  QuadRequest request = WithLayer("outer0");
+  request.merge = BlockMerge::Clean;
+  request.singularities.emplace();
+  std::vector<QuadAttemptRecord> made;
+  for (const Result result : { Result::CoarseMesh, Result::LackOfRows })
+  {
+    made.push_back(Record(*NextAttempt(ring, request, made), result));
+  }
+  const std::optional<QuadAttempt> unmerged = NextAttempt(ring, request, made);
+  ASSERT_TRUE(unmerged);
+  EXPECT_EQ(unmerged->refinement, 2.0);
+  EXPECT_FALSE(unmerged->mergesBlocks);
+  EXPECT_FALSE(unmerged->repairsHolonomy);
+  made.push_back(Record(*unmerged, Result::LackOfRows));
+  EXPECT_FALSE(NextAttempt(ring, request, made)); // given singularities stay where they are
+}
+
 TEST(QuadAttempts, AreInTheResult)
 {
   QuadRequest request;
