@@ -79,7 +79,6 @@ QuadSteps::QuadSteps(const PlanarDomain& domain, QuadRequest request, QuadSecond
 
 void QuadSteps::Place(const Progress& progress)
 {
-  const ScopedSeconds timed(this->Seconds.choose);
   this->Choose(progress.Part(0.0, 0.9));
   this->Split();
   this->RepairOnRequest(progress.Part(0.9, 1.0));
@@ -92,6 +91,7 @@ void QuadSteps::Choose(const Progress& progress)
     this->Result.singularities = *this->Request.singularities;
     return;
   }
+  const ScopedSeconds timed(this->Seconds.choose);
   AutomaticConfiguration choice = ChooseSingularities(this->Domain, this->Request, progress);
   this->Result.singularities = std::move(choice.singularities);
   this->Result.events = std::move(choice.events);
@@ -119,6 +119,7 @@ void QuadSteps::RepairOnRequest(const Progress& progress)
   {
     return;
   }
+  const ScopedSeconds timed(this->Seconds.choose);
   Outcome<HolonomyRepair> repair = Try(
     [&]
     {
@@ -274,11 +275,11 @@ void QuadSteps::UseRepair(HolonomyRepair repair)
 /// it is impossible.
 std::optional<HolonomyRepair> QuadSteps::FindRepair(const Progress& progress)
 {
-  const ScopedSeconds timed(this->Seconds.choose);
   if (this->Result.repair || this->Domain.loops.size() < 2)
   {
     return std::nullopt;
   }
+  const ScopedSeconds timed(this->Seconds.choose);
   Outcome<HolonomyRepair> repair = Try(
     [&]
     {
