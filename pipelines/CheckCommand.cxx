@@ -103,7 +103,7 @@ int Check(const CheckOptions& options)
   OutputTransaction outputs;
   if (!options.proposal.empty())
   {
-    WriteProposals(proposal, DomainReader::HasHeight(checked), options.proposal, outputs);
+    WriteProposals(proposal, vtkCrossFieldReport::HasHeight(checked), options.proposal, outputs);
   }
   if (!options.json.empty())
   {

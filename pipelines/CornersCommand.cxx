@@ -50,7 +50,7 @@ void PrintSummary(vtkBoundaryCornerClassifier* classifier)
   vtkPolyData* corners = classifier->GetOutput();
   const auto value = [corners](const char* name, vtkIdType i)
   { return corners->GetPointData()->GetArray(name)->GetTuple1(i); };
-  const bool hasHeight = DomainReader::HasHeight(vtkDataSet::SafeDownCast(classifier->GetInput()));
+  const bool hasHeight = vtkCrossFieldReport::HasHeight(classifier->GetInput());
   std::cout << (hasHeight ? "x y z" : "x y")
             << " angle quarter_index scarce balanced excess conventional energy\n";
   for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)

@@ -129,8 +129,7 @@ int Optimize(const OptimizeOptions& options)
   OutputTransaction outputs;
   if (!options.output.empty())
   {
-    const bool hasHeight =
-      DomainReader::HasHeight(vtkDataSet::SafeDownCast(optimizer->GetInputDataObject(0, 0)));
+    const bool hasHeight = vtkCrossFieldReport::HasHeight(optimizer->GetInputDataObject(0, 0));
     OutputFile::WriteConfiguration(moved, hasHeight, options.output, outputs);
   }
   if (!options.json.empty())

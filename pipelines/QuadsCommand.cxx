@@ -216,8 +216,7 @@ int Mesh(const QuadsOptions& options)
     }
     OutputFile::WriteBlocks(blocks, options.blocks, outputs);
   }
-  const bool hasHeight =
-    DomainReader::HasHeight(vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0)));
+  const bool hasHeight = vtkCrossFieldReport::HasHeight(domain->GetOutputDataObject(0));
   if (!options.savedSingularities.empty())
   {
     OutputFile::WriteConfiguration(

@@ -6,7 +6,6 @@
  *     --size 0.04 -o field.vtu
  */
 #include "CommandLine.h"
-#include "DomainReader.h"
 #include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
@@ -100,7 +99,7 @@ int Solve(const SolveOptions& options)
   if (!options.savedSingularities.empty())
   {
     OutputFile::WriteConfiguration(isReference ? shown : singularities.GetOutput(),
-      DomainReader::HasHeight(field), options.savedSingularities, outputs);
+      vtkCrossFieldReport::HasHeight(field), options.savedSingularities, outputs);
   }
   if (!options.json.empty())
   {
@@ -127,7 +126,7 @@ int Solve(const SolveOptions& options)
     }
     if (mayAppear)
     {
-      PrintSingularities(shown, DomainReader::HasHeight(field));
+      PrintSingularities(shown, vtkCrossFieldReport::HasHeight(field));
     }
   }
   outputs.Commit();

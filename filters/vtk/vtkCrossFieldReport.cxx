@@ -136,20 +136,6 @@ Json RowOf(
   return values;
 }
 
-/** Returns whether a domain or mesh is in no plane z = const. */
-bool HasHeight(vtkDataObject* object)
-{
-  auto* data = vtkDataSet::SafeDownCast(object);
-  if (data == nullptr)
-  {
-    return false;
-  }
-  const UsedPoints used(data);
-  return std::any_of(used.GetIds().begin(), used.GetIds().end(),
-    [&](vtkIdType point)
-    { return data->GetPoint(point)[2] != data->GetPoint(used.GetIds().front())[2]; });
-}
-
 /** A report while it is made. */
 class Report
 {
@@ -162,7 +148,7 @@ public:
     , Seconds(seconds)
     , Files(files)
     , Axes(std::any_of(sources.begin(), sources.end(),
-             [](const auto& source) { return HasHeight(source.second); })
+             [](const auto& source) { return vtkCrossFieldReport::HasHeight(source.second); })
           ? 3
           : 2)
   {
@@ -436,6 +422,26 @@ private:
   vtkNew<vtkFieldData> Nothing;
   Json Values = Json::object();
 };
+}
+
+//------------------------------------------------------------------------------
+bool vtkCrossFieldReport::HasHeight(vtkDataObject* object)
+{
+  auto* data = vtkDataSet::SafeDownCast(object);
+  if (data == nullptr)
+  {
+    return false;
+  }
+  double bounds[6];
+  data->GetBounds(bounds);
+  if (!(bounds[4] < bounds[5]))
+  {
+    return false; // all points have the same z, so those of cells do
+  }
+  const UsedPoints used(data);
+  return std::any_of(used.GetIds().begin(), used.GetIds().end(),
+    [&](vtkIdType point)
+    { return data->GetPoint(point)[2] != data->GetPoint(used.GetIds().front())[2]; });
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,9 @@ public:
    */
   void SetFiles(const std::vector<std::string>& names) { this->Files = names; }
 
+  /** Returns whether a domain or mesh is in no plane z = const, so that reports need z coordinates. */
+  static bool HasHeight(vtkDataObject* object);
+
   /**
    * Returns the report of this name with a line break at the end. Numbers that are not finite are null, and bytes of
    * texts that are not UTF-8 become the replacement character.

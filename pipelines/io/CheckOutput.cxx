@@ -1,11 +1,11 @@
 #include "CheckOutput.h"
 
 #include "CommandLine.h"
-#include "DomainReader.h"
 #include "PipelineRun.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 #include "vtkPoincareHopfCheck.h"
 
 #include "vtkDataArray.h"
@@ -39,7 +39,7 @@ void Print(vtkPoincareHopfCheck* check)
     if (corners->GetPointData()->GetArray(names::Cancellable)->GetTuple1(i) != 0.0)
     {
       std::cout << "the corner at (" << corners->GetPoint(i)[0] << ", " << corners->GetPoint(i)[1];
-      if (DomainReader::HasHeight(domain))
+      if (vtkCrossFieldReport::HasHeight(domain))
       {
         std::cout << ", " << corners->GetPoint(i)[2];
       }

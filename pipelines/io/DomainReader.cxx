@@ -309,16 +309,4 @@ std::array<double, 6> Bounds(vtkDataSet* domain)
   box.GetBounds(bounds.data());
   return bounds;
 }
-
-bool HasHeight(vtkDataSet* domain)
-{
-  double all[6];
-  domain->GetBounds(all);
-  if (!(all[4] < all[5]))
-  {
-    return false; // all points have the same z, so those of cells do
-  }
-  const std::array<double, 6> bounds = Bounds(domain);
-  return bounds[4] < bounds[5];
-}
 }

@@ -46,9 +46,6 @@ bool IsDrilled(vtkDataObject* domain);
 
 /** Returns the bounding box of the points that lines and surface cells of a domain use. */
 std::array<double, 6> Bounds(vtkDataSet* domain);
-
-/** Returns whether a domain is in no plane z = const, so that outputs need z coordinates. */
-bool HasHeight(vtkDataSet* domain);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "PipelineRun.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldReport.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -94,7 +95,7 @@ void SingularityInput::ApplyRepair(vtkFieldData* field)
 
 bool SingularityInput::HasHeight() const
 {
-  return DomainReader::HasHeight(vtkDataSet::SafeDownCast(this->Domain->GetOutputDataObject(0)));
+  return vtkCrossFieldReport::HasHeight(this->Domain->GetOutputDataObject(0));
 }
 
 void SingularityInput::PrintChoice(bool verbose) const
