@@ -1,5 +1,5 @@
 /// \file
-/// Decompositions of small dense matrices of any rank, which are compiled once because each takes many seconds.
+/// Decompositions of small dense matrices of any rank, compiled once: the compiler takes up to half a minute for one.
 #pragma once
 
 #include <Eigen/SVD>

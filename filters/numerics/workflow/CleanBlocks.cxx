@@ -181,9 +181,9 @@ private:
     }
     this->StartOf(attempt).tried = attempt.arcs;
     this->Result.maps += outcome.maps;
-    const QuadOptions& quads = this->Options.quads;
+    const QuadOptions& requested = this->Options.quads;
     if (!outcome.quads ||
-      !IsAsClean(*outcome.quads, this->Start, quads.quadSize, quads.quadCount) ||
+      !IsAsClean(*outcome.quads, this->Start, requested.quadSize, requested.quadCount) ||
       !IsCoarser(*outcome.quads, this->Result.mesh.quads))
     {
       return false;

@@ -61,7 +61,7 @@ bool HaveSameSingularities(const QuadAttempt& a, const QuadAttempt& b)
   return a.hasSingularities == b.hasSingularities && a.layerDistance == b.layerDistance;
 }
 
-bool Is(const std::optional<Error>& error, Error::Kind kind)
+bool IsOfKind(const std::optional<Error>& error, Error::Kind kind)
 {
   return error && error->GetKind() == kind;
 }
@@ -207,7 +207,7 @@ private:
       {
         return record.error &&
           (!record.attempt.repairsHolonomy ||
-            (!this->Request.singularities && Is(record.error, Error::Kind::LackOfRows)));
+            (!this->Request.singularities && IsOfKind(record.error, Error::Kind::LackOfRows)));
       })->error;
     if (this->Offer)
     {
@@ -246,7 +246,7 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadReq
   }
   const QuadAttemptRecord& last = made.back();
   QuadAttempt next = last.attempt;
-  const bool isCoarse = Is(last.error, Error::Kind::CoarseMesh);
+  const bool isCoarse = IsOfKind(last.error, Error::Kind::CoarseMesh);
   if (isCoarse && next.refinement == 1.0)
   {
     next.refinement = FinerMesh;
@@ -263,7 +263,7 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadReq
     next.refinement = 1.0;
     return next;
   }
-  if (Is(last.error, Error::Kind::LackOfRows))
+  if (IsOfKind(last.error, Error::Kind::LackOfRows))
   {
     if (next.mergesBlocks && request.merge == BlockMerge::Clean)
     {

@@ -26,9 +26,9 @@ struct QuadAttemptRecord
 {
   QuadAttempt attempt;
   std::optional<Error> error; ///< Absent if there are quads.
-  bool isAcceptable =
-    false;           ///< Whether no other attempt is needed: AcceptableShape, none inverted.
-  std::string quads; ///< What the quads are, for the report.
+  /// Whether no other attempt is needed: no quad is inverted, and shapes reach AcceptableShape.
+  bool isAcceptable = false;
+  std::string quads; ///< A sentence about the quads, for the report.
 };
 
 /// Returns what to try first, or after the attempts that were made; nothing if there is nothing more to

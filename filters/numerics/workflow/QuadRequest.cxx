@@ -1,7 +1,5 @@
 #include "QuadRequest.h"
 
-#include "MeshGrade.h"
-
 #include <algorithm>
 
 namespace crossfield
@@ -11,10 +9,5 @@ bool IsSizingFree(const QuadRequest& request)
   return !request.sizing && !request.singularities && request.layers.empty() &&
     std::none_of(request.prescribed.begin(), request.prescribed.end(),
       [](const SidePrescription& one) { return one.isGraded; });
-}
-
-bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads)
-{
-  return CountExcess(quads, request.quadSize, request.quadCount) == 0.0;
 }
 }

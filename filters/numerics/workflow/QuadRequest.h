@@ -131,8 +131,4 @@ struct QuadWorkflowResult
 /// are chosen, and neither layers nor progressions of sides prescribe sizes. Layers need the shapes of
 /// conformal sizes: each row is as far from a rectangle as the quads that it divides.
 bool IsSizingFree(const QuadRequest& request);
-
-/// Returns whether a mesh has the requested number of quads within CountTolerance, or none was
-/// requested.
-bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads);
 }

@@ -20,7 +20,7 @@ namespace crossfield
 {
 namespace
 {
-/// Adds the seconds of its scope to a number, also if it is left by an exception.
+/// Adds the seconds of its scope to a number, also if an exception leaves it.
 class ScopedSeconds
 {
 public:
@@ -36,6 +36,21 @@ private:
   double& Seconds;
   Stopwatch Clock;
 };
+
+/// Returns call(). If it throws Error, adds its seconds to a number; otherwise its value has the times of
+/// its stages.
+template <typename Call>
+auto WithSecondsOfFailure(double& seconds, const Call& call)
+{
+  Stopwatch clock;
+  auto outcome = Try(call);
+  if (!outcome.value)
+  {
+    seconds += clock.Lap();
+    throw Error(*outcome.error);
+  }
+  return std::move(*outcome.value);
+}
 
 /// Throws Error if a singularity on the boundary makes the quarter index there 2 or more, which
 /// leaves no angle for a quad. Capping changes corners of the domain only.
@@ -176,36 +191,40 @@ QuadWorkflowResult QuadSteps::MakeQuads(double refinement, const Progress& progr
   return std::move(this->Result);
 }
 
+/// Returns a mesh with edges divided by `refinement`.
+SharedPlanarTopology QuadSteps::MakeMesh(double refinement, const Progress& progress)
+{
+  const ScopedSeconds timed(this->Seconds.mesh);
+  SharedPlanarTopology topology = ShareTopology(MeshThroughPoints(
+    this->Domain, this->Result.singularities, this->Request.meshSize, progress, refinement));
+  RequireAngles(this->Domain, this->Result.singularities, this->CornersOn(*topology));
+  return topology;
+}
+
 /// Meshes, solves for the map and traces the separatrices.
 Layout QuadSteps::MakeLayout(double refinement, const Progress& progress)
 {
-  Stopwatch clock;
-  const Configuration& singularities = this->Result.singularities;
-  const SharedPlanarTopology topology = ShareTopology(MeshThroughPoints(
-    this->Domain, singularities, this->Request.meshSize, progress.Part(0.0, 0.2), refinement));
-  RequireAngles(this->Domain, singularities, this->CornersOn(*topology));
-  this->Seconds.mesh += clock.Lap();
-  Outcome<Layout> layout = Try(
+  const SharedPlanarTopology topology = this->MakeMesh(refinement, progress.Part(0.0, 0.2));
+  Layout layout = WithSecondsOfFailure(this->Seconds.map,
     [&]
     {
-      return LayOut(topology, singularities, this->MapOptions,
+      return LayOut(topology, this->Result.singularities, this->MapOptions,
         this->Request.merge != BlockMerge::None, progress.Part(0.2, 1.0));
     });
-  if (!layout.value)
-  {
-    this->Seconds.map += clock.Lap();
-    throw Error(*layout.error);
-  }
-  this->Seconds.map += layout.value->mapSeconds;
-  this->Seconds.trace += layout.value->traceSeconds;
-  return std::move(*layout.value);
+  this->Seconds.map += layout.mapSeconds;
+  this->Seconds.trace += layout.traceSeconds;
+  return layout;
 }
 
 /// Makes the quads of a layout, merges blocks and adds layers.
 void QuadSteps::MakeQuadsOf(Layout layout, const Progress& progress)
 {
-  MergedQuads merged =
-    MakeMergedQuads(this->Domain, this->Request, std::move(layout), this->MapOptions, progress);
+  MergedQuads merged = WithSecondsOfFailure(this->Seconds.layout,
+    [&]
+    {
+      return MakeMergedQuads(
+        this->Domain, this->Request, std::move(layout), this->MapOptions, progress);
+    });
   this->MapOptions = std::move(merged.map);
   this->AddEvents(merged.events);
   this->Result.blocks = merged.blocks;

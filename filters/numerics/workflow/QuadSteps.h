@@ -4,12 +4,12 @@
 
 namespace crossfield
 {
-/// The steps from a request of WithSideSizes to its quads, without trying remedies: places singularities,
-/// lays them out, makes quads. A copy made after Place continues from there.
+/// The steps from a request of WithSideSizes to its quads, without trying remedies: singularities, their
+/// layout, quads. A copy that is made after Place continues from there.
 class QuadSteps
 {
 public:
-  /// `seconds` adds up the time of all steps, also of copies and of steps that throw. Throws Error as
+  /// `seconds` receives the times of all steps, also of copies and of steps that throw. Throws Error as
   /// RequireLayers does.
   QuadSteps(const PlanarDomain& domain, QuadRequest request, QuadSeconds& seconds);
 
@@ -31,6 +31,7 @@ private:
   void Choose(const Progress& progress);
   void Split();
   void RepairOnRequest(const Progress& progress);
+  SharedPlanarTopology MakeMesh(double refinement, const Progress& progress);
   Layout MakeLayout(double refinement, const Progress& progress);
   void MakeQuadsOf(Layout layout, const Progress& progress);
   std::vector<CountedCorner> CornersOn(const PlanarTopology& topology) const;

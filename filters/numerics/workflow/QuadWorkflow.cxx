@@ -2,6 +2,7 @@
 
 #include "CurveSteps.h"
 #include "LayerSteps.h"
+#include "MeshGrade.h"
 #include "Outcome.h"
 #include "PeriodicSteps.h"
 #include "PoincareHopf.h"
@@ -24,7 +25,7 @@ void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
   {
     result.warnings.push_back(result.optimum->reason);
   }
-  if (!HasRequestedCount(request, result.quads))
+  if (CountExcess(result.quads, request.quadSize, request.quadCount) > 0.0)
   {
     result.warnings.push_back("No number of quads within 5 % of " +
       std::to_string(request.quadCount) + " was found for these separatrices; " +
