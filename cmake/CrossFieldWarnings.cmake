@@ -17,7 +17,8 @@ set(crossfield_warnings
   -Wold-style-cast
   -Woverloaded-virtual
   -Wshadow
-  -Wundef)
+  -Wundef
+  -Wno-sign-conversion) # part of -Wconversion for clang; indices are signed in Eigen and unsigned in the library
 if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND crossfield_warnings -Wduplicated-branches -Wduplicated-cond -Wlogical-op)
 endif ()

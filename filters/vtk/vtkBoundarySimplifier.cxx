@@ -3,7 +3,6 @@
 #include "BoundaryCorners.h"
 #include "ColumnWriting.h"
 #include "CurveConversion.h"
-#include "CurveText.h"
 #include "DomainConversion.h"
 #include "DrilledMeshConversion.h"
 #include "FilterPorts.h"
@@ -12,6 +11,7 @@
 #include "MaterialCheck.h"
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
+#include "SideText.h"
 #include "SmoothBoundary.h"
 #include "ThinBoundary.h"
 #include "UsedPoints.h"
@@ -299,7 +299,7 @@ int vtkBoundarySimplifier::RequestData(
     [&](const crossfield::Progress& progress)
     {
       InputCheck::Require(input);
-      const crossfield::CurveRequest request = CurveText::Read(this->Curves);
+      const crossfield::CurveRequest request = SideText::ReadCurves(this->Curves);
       const bool isRequested = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
       if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr ||
         (!isRequested &&

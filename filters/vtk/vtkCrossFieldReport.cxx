@@ -30,10 +30,10 @@ const std::set<std::string> Flags = { names::Cancellable, names::Consistent, nam
   names::DegreesReached, names::Feasible, names::HoleDegreeReliable, names::IntegerOptimal,
   names::Overridden, names::StartedFromUnitNorm, names::Tied, names::UnitHoles };
 /** Arrays of field data with any number of tuples. */
-const std::set<std::string> Lists = { names::Annihilation, names::Attempts,
-  names::BoundaryRemovedCorners, names::BoundarySingularities, names::DefectBefore, names::Events,
-  names::HoleDegree, names::HoleDegreeReliable, names::HoleNormRange, names::HolonomyDefect,
-  names::PointSingularities, names::Warnings };
+const std::set<std::string> Lists = { names::Annihilation, names::BoundaryRemovedCorners,
+  names::BoundarySingularities, names::DefectBefore, names::Events, names::HoleDegree,
+  names::HoleDegreeReliable, names::HoleNormRange, names::HolonomyDefect, names::PointSingularities,
+  names::Warnings };
 
 /**
  * An array and its key, by default its name after a prefix. If its values have names, they are an object, or entries of
@@ -250,8 +250,7 @@ public:
       { "scaled_jacobian", names::ScaledJacobianRange, { "min", "mean" } },
       { "eta", names::EtaRange, { "min", "mean" } },
       { "sizes", names::SizeRange, { "min", "mean", "max" } }, names::SizeVariation,
-      names::ZeroArcs, names::Inverted, names::AmbiguousCorners, names::Warnings, names::Attempts,
-      names::Moved });
+      names::ZeroArcs, names::Inverted, names::AmbiguousCorners, names::Warnings, names::Moved });
     this->Add({ names::ScaledJacobianBound }, "scaled_jacobian", "ScaledJacobian");
     this->AddCounts("irregular", names::IrregularObtained);
     this->AddCounts("asked", names::IrregularRequested);
@@ -259,6 +258,7 @@ public:
       "blocks_by_merge", "Blocks");
     this->Add(
       { names::IntegerVariables, names::IntegerOptimal, names::IntegerGap }, "integers", "Integer");
+    this->AddColumns("attempts", "Attempts", { { "", names::Attempts, { "what", "outcome" } } });
     this->AddColumns("sides", "Side",
       { { "name", names::SideNames }, names::SideEdges, { "length", names::SideLengths } });
     this->AddColumns("layers", "Layer",

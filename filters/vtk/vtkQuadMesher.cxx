@@ -3,13 +3,11 @@
 #include "ColumnWriting.h"
 #include "ConfigurationConversion.h"
 #include "CornerConversion.h"
-#include "CurveText.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HolonomyConversion.h"
-#include "LayerText.h"
 #include "MaterialCheck.h"
 #include "PeriodicConversion.h"
 #include "QuadBoundary.h"
@@ -18,6 +16,7 @@
 #include "QuadWorkflow.h"
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
+#include "SideText.h"
 #include "SizeConversion.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -39,6 +38,7 @@ vtkStandardNewMacro(vtkQuadMesher);
 
 namespace
 {
+constexpr int SidePort = 3; // of the inputs
 constexpr int BoundaryPort = 5;
 constexpr int SummaryPort = 8;
 }
@@ -46,14 +46,16 @@ constexpr int SummaryPort = 8;
 //------------------------------------------------------------------------------
 vtkQuadMesher::vtkQuadMesher()
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(9);
 }
 
 //------------------------------------------------------------------------------
 int vtkQuadMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
+  return port == 0     ? FilterPorts::AcceptDomain(info)
+    : port == SidePort ? FilterPorts::AcceptOptionalTable(info)
+                       : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -85,8 +87,7 @@ int vtkQuadMesher::RequestData(
       crossfield::QuadRequest request =
         this->MakeRequest(domain, singularities, corners, input.plane);
       request.sides = SideConversion::ReadSides(domain, this->SideNameArray, input);
-      request.prescribed = SideConversion::ReadPrescriptions(this->Sides, request.sides);
-      request.requestedCurves = CurveText::Read(this->Curves);
+      this->PrescribeSides(vtkTable::GetData(inputVector[SidePort]), input.plane, request);
       request.givenCurves = SegmentCurveConversion::Read(domain, input);
       crossfield::QuadWorkflowResult result =
         crossfield::MakeQuadMesh(input.domain, request, progress);
@@ -137,11 +138,45 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.repairHolonomy = this->RepairHolonomy;
   request.repairPart = this->RepairPart;
   request.split = this->SplitSingularities;
-  request.layers = LayerText::ReadLayers(this->Layers);
-  request.periodicNames = PeriodicConversion::ReadNames(this->Periodic);
-  request.cornerRows = LayerText::ReadCornerRows(this->CornerRows, plane);
   request.merge = static_cast<crossfield::BlockMerge>(this->Merge);
   return request;
+}
+
+//------------------------------------------------------------------------------
+/** Adds what the table and the properties prescribe for sides. */
+void vtkQuadMesher::PrescribeSides(
+  vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const
+{
+  std::vector<SideText::Row> rows;
+  if (table != nullptr)
+  {
+    rows = SideConversion::ReadTable(table);
+  }
+  for (const std::array<std::string, 4>& texts : this->Sides)
+  {
+    rows.emplace_back();
+    rows.back().side = texts[0];
+    rows.back().count = texts[1];
+    rows.back().progression = texts[2];
+    rows.back().size = texts[3];
+  }
+  for (const std::vector<SideText::Row>& more : { SideText::ReadLayers(this->Layers),
+         SideText::ReadPartners(this->Periodic), SideText::ReadCornerRows(this->CornerRows) })
+  {
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  for (const SideText::Row& row : rows)
+  {
+    SideText::Prescribe(row, plane, request);
+  }
+  const crossfield::CurveRequest curves = SideText::ReadCurves(this->Curves);
+  for (const crossfield::CurveDeclaration& declaration : curves.declared)
+  {
+    request.sideRequests.emplace_back();
+    request.sideRequests.back().side = declaration.side;
+    request.sideRequests.back().curve = declaration.kind;
+  }
+  request.findsArcs = curves.findsArcs;
 }
 
 //------------------------------------------------------------------------------
@@ -194,8 +229,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   CornerConversion::WriteAmbiguous(result.ambiguousCorners, report);
   EnergyConversion::WriteEvents(result.events, summary);
   EnergyConversion::WriteWarnings(result.warnings, summary);
-  ColumnWriting::AddColumn<vtkStringArray>(report, vtkCrossFieldArrayNames::Attempts,
-    result.attempts, [](const std::string& attempt) { return attempt; });
+  QuadReport::WriteAttempts(result.attempts, report);
   ViewText::Write(vtkCrossFieldArrayNames::Summary,
     ViewText::WrapLines(QuadReport::Summary(result)),
     result.quads.quality.inverted > 0 || !result.warnings.empty(), summary);

@@ -14,6 +14,13 @@
  * connection, singularities are chosen as vtkConfigurationProposal does with Automatic, then moved
  * to suit the requested quads. A connected data set without points means no singularities.
  *
+ * Port 3, optional, what is prescribed for sides (vtkTable), one row for each: `Side`, the name (see
+ * SideNameArray), and any of the columns `Count`, `Progression` and `Size` (see AddSide), `Curve` (circle,
+ * ellipse, spline or line; see Curves), `LayerFirst`, `LayerGrowth` and `LayerRows` (see Layers), `Partner`, the
+ * side whose nodes match (see Periodic), and `CornerRows` (end, turn or leave; see CornerRows). Columns are
+ * strings or numbers; empty strings, 0 and NaN prescribe nothing. The table adds to the properties; what
+ * both prescribe for a side is an error.
+ *
  * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, with
  * - cells: `BlockId`, `I`, `J` (int): block, column and row; `ScaledJacobian` (double): the minimum
  *   sine of the angles of a quad; `SizeRatio` (double): actual over target size;
@@ -75,7 +82,7 @@
  * `PeriodicMismatch` (largest distance of a node from the image of its partner),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
- * `Warnings` and `Attempts` (one sentence each), and `AmbiguousCorners` (number of corners within 1° of a tie between two quarter
+ * `Warnings` (one sentence each), `Attempts` (2 texts each: what was tried, and its outcome), and `AmbiguousCorners` (number of corners within 1° of a tie between two quarter
  * indices, if there are any).
  *
  * An empty domain gives empty outputs. Failure, with outputs that are empty except for the text: as
@@ -117,9 +124,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Connects port 1, the singularities, or port 2, the corners, or sets it to a data object. */
+  /** Connects port 1, the singularities, port 2, the corners, or port 3, the table of sides, or sets it to a data object. */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
+  vtkCrossFieldPortMacro(SideTable, 3);
   ///@}
 
   ///@{
@@ -408,6 +416,8 @@ private:
 
   crossfield::QuadRequest MakeRequest(vtkDataSet* domain, vtkDataSet* singularities,
     vtkDataSet* corners, const crossfield::DomainPlane& plane) const;
+  void PrescribeSides(
+    vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const;
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);
   void WriteSummary(const crossfield::QuadWorkflowResult& result,

@@ -108,7 +108,7 @@ class Curves(ProgramTest):
     def test_impossible_curves_are_one_sentence_and_write_nothing(self):
         for arguments, words in (
                 ("--curve hole:circel", "'hole:circel' is not of the form NAME:circle"),
-                ("--curve hole", "'hole' is not of the form"),
+                ("--curve hole", "'hole' has no colon"),
                 ("--curve hose:circle", "no side 'hose' for a curve; give '"),
                 ("--curve bottom:circle", "Side 'bottom' is declared as circle"),
                 ("--curve bottom:ellipse", "it needs at least five points"),

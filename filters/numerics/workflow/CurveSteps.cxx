@@ -17,19 +17,15 @@ namespace
 constexpr double ShortestPart = 0.1;
 }
 
-CurvedRequest WithCurves(const PlanarDomain& domain, const QuadRequest& request)
+CurvedRequest WithCurves(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   CurvedRequest result{ domain, request };
-  if (request.requestedCurves.IsEmpty() && request.givenCurves.curves.empty())
+  if (request.curveRequest.IsEmpty() && request.givenCurves.curves.empty())
   {
     return result;
   }
-  if (result.request.sides.names.empty())
-  {
-    result.request.sides = NameSides(domain);
-  }
   const CurvesOfSegments curves =
-    FindCurves(domain, result.request.sides, request.requestedCurves, request.givenCurves);
+    FindCurves(domain, result.request.sides, request.curveRequest, request.givenCurves);
   if (curves.curves.empty())
   {
     return result;

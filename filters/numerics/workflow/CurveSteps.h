@@ -1,6 +1,6 @@
 #pragma once
 
-#include "QuadRequest.h"
+#include "ResolvedRequest.h"
 
 namespace crossfield
 {
@@ -8,13 +8,13 @@ namespace crossfield
 struct CurvedRequest
 {
   PlanarDomain domain;
-  QuadRequest request;
+  ResolvedRequest request;
 };
 
 /// Finds the requested and given curves of a domain, samples them as finely as the triangles, and
 /// places corners and singularities that are given on the boundary on them. Without curves the domain
 /// and the request are unchanged. Throws Error as FindCurves and SampleCurves do.
-CurvedRequest WithCurves(const PlanarDomain& domain, const QuadRequest& request);
+CurvedRequest WithCurves(const PlanarDomain& domain, const ResolvedRequest& request);
 
 /// Returns for each curve how many boundary edges it has and how far they are from the polyline that
 /// was given.

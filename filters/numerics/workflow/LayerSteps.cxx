@@ -19,8 +19,8 @@ namespace
 class NamesAlong
 {
 public:
-  NamesAlong(const PlanarDomain& domain, const QuadRequest& request)
-    : Sides(SidesOf(domain, request))
+  NamesAlong(const PlanarDomain& domain, const ResolvedRequest& request)
+    : Sides(request.sides)
     , Arcs(domain.loops.begin(), domain.loops.end())
     , Along(this->Sides, this->Arcs)
   {
@@ -45,7 +45,7 @@ private:
   SidesAlong Along;
 };
 
-const LayerPrescription* FindLayer(const QuadRequest& request, const std::string& name)
+const LayerPrescription* FindLayer(const ResolvedRequest& request, const std::string& name)
 {
   const auto found = std::find_if(request.layers.begin(), request.layers.end(),
     [&](const LayerPrescription& layer) { return layer.name == name; });
@@ -67,7 +67,7 @@ int CorrectCount(int before, int after, int total)
 class CountsWithLayers
 {
 public:
-  CountsWithLayers(const QuadRequest& request)
+  CountsWithLayers(const ResolvedRequest& request)
     : Request(request)
   {
   }
@@ -117,14 +117,9 @@ private:
       (isOne ? "." : " that ends on the side.");
   }
 
-  const QuadRequest& Request;
+  const ResolvedRequest& Request;
   std::string Difference; ///< A sentence, empty if there is none.
 };
-}
-
-BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request)
-{
-  return request.sides.names.empty() ? NameSides(domain) : request.sides;
 }
 
 namespace
@@ -132,7 +127,7 @@ namespace
 /// Returns the ends of periodic sides and their images, if singularities are chosen: given ones suit the
 /// corners as they are.
 std::vector<std::array<Point, 2>> EndsOfPeriodicSides(
-  const PlanarDomain& domain, const QuadRequest& request)
+  const PlanarDomain& domain, const ResolvedRequest& request)
 {
   std::vector<std::array<Point, 2>> ends;
   if (request.singularities)
@@ -153,7 +148,8 @@ std::vector<std::array<Point, 2>> EndsOfPeriodicSides(
 }
 }
 
-std::vector<CornerChoice> CompleteCorners(const PlanarDomain& domain, const QuadRequest& request)
+std::vector<CornerChoice> CompleteCorners(
+  const PlanarDomain& domain, const ResolvedRequest& request)
 {
   std::vector<CornerChoice> corners = request.corners;
   if (request.layers.empty() && request.cornerRows.empty() && request.periodic.empty())
@@ -218,7 +214,7 @@ std::vector<CornerChoice> CompleteCorners(const PlanarDomain& domain, const Quad
   return corners;
 }
 
-ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const QuadRequest& request,
+ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const ResolvedRequest& request,
   double clearance, const SizeFunction& quadSize)
 {
   if (request.layers.empty())
@@ -245,7 +241,7 @@ ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const QuadReques
   return factors;
 }
 
-int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
+int CountBeforeLayers(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   std::vector<double> lengths(request.layers.size(), 0.0);
   const NamesAlong names(domain, request);
@@ -281,8 +277,9 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
   return std::max(1, static_cast<int>(std::lround(domain.Area() / (size * size))));
 }
 
-std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const QuadRequest& request,
-  int total, const LayoutSet& layouts, QuadOptions options, QuadResult& quads)
+std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain,
+  const ResolvedRequest& request, int total, const LayoutSet& layouts, QuadOptions options,
+  QuadResult& quads)
 {
   // Corrections of numbers of quads and of edges converge in two or three tries; rounding may take
   // some more.

@@ -15,7 +15,7 @@ namespace crossfield
 namespace
 {
 QuadOptions OptionsFor(
-  const PlanarDomain& domain, const QuadRequest& request, const PlanarTopology& topology)
+  const PlanarDomain& domain, const ResolvedRequest& request, const PlanarTopology& topology)
 {
   QuadOptions options;
   options.quadSize = request.quadSize;
@@ -35,7 +35,7 @@ QuadOptions OptionsFor(
 }
 
 /// Moves singularities so that separatrices meet, if that gives a mesh as good with fewer blocks.
-void Clean(const PlanarDomain& domain, const QuadRequest& request, MergedQuads& merged,
+void Clean(const PlanarDomain& domain, const ResolvedRequest& request, MergedQuads& merged,
   const Progress& progress)
 {
   CleanOptions options;
@@ -100,8 +100,8 @@ void Merge(const MeshedLayout& start, const SeamlessMapOptions& map, MergedQuads
 }
 }
 
-MergedQuads MakeMergedQuads(const PlanarDomain& domain, const QuadRequest& request, Layout layout,
-  const SeamlessMapOptions& map, const Progress& progress)
+MergedQuads MakeMergedQuads(const PlanarDomain& domain, const ResolvedRequest& request,
+  Layout layout, const SeamlessMapOptions& map, const Progress& progress)
 {
   const bool coarse = request.merge == BlockMerge::Coarse;
   const bool clean = coarse || request.merge == BlockMerge::Clean;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CleanBlocks.h"
-#include "QuadRequest.h"
+#include "ResolvedRequest.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +22,6 @@ struct MergedQuads
 
 /// Makes the quads of a layout whose map has the given options. Merges blocks and chooses sizes as the
 /// request says. Throws Error as MakeQuads does.
-MergedQuads MakeMergedQuads(const PlanarDomain& domain, const QuadRequest& request, Layout layout,
-  const SeamlessMapOptions& map, const Progress& progress);
+MergedQuads MakeMergedQuads(const PlanarDomain& domain, const ResolvedRequest& request,
+  Layout layout, const SeamlessMapOptions& map, const Progress& progress);
 }

@@ -12,8 +12,8 @@
 
 namespace crossfield
 {
-bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, MeshedLayout& start,
-  CleanOptions& options, const Progress& progress)
+bool StartFromPattern(const PlanarDomain& domain, const ResolvedRequest& request,
+  MeshedLayout& start, CleanOptions& options, const Progress& progress)
 {
   const std::vector<RoundHole> holes = FindRoundHoles(domain);
   constexpr std::size_t Fewest = 2; // a single hole has no neighbours to line up with

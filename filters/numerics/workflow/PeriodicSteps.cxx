@@ -1,7 +1,6 @@
 #include "PeriodicSteps.h"
 
 #include "Error.h"
-#include "LayerSteps.h"
 
 #include <algorithm>
 #include <utility>
@@ -61,15 +60,14 @@ void CopyPrescription(const BoundarySides& sides, int first, int second, SidePre
 }
 }
 
-QuadRequest WithPeriodicSides(const PlanarDomain& domain, const QuadRequest& request)
+ResolvedRequest WithPeriodicSides(const PlanarDomain& domain, const ResolvedRequest& request)
 {
-  QuadRequest result = request;
-  if (request.periodicNames.empty())
+  ResolvedRequest result = request;
+  if (request.partners.empty())
   {
     return result;
   }
-  result.sides = SidesOf(domain, request);
-  result.periodic = FindPairedSides(domain, result.sides, request.curves, request.periodicNames);
+  result.periodic = FindPairedSides(domain, result.sides, request.curves, request.partners);
   for (const PairedSides& pair : result.periodic)
   {
     CopyPrescription(result.sides, pair.first, pair.second, result.prescribed);

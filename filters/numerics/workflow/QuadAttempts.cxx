@@ -26,7 +26,7 @@ constexpr double FinerMesh = 2.0;
 
 /// Returns whether a domain with inner loops needs no singularities, and layers or sizes of sides are
 /// requested: around a profile that gives a C-grid or an O-grid.
-bool MayDoWithout(const PlanarDomain& domain, const QuadRequest& request)
+bool MayDoWithout(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   const bool isSized = std::any_of(request.prescribed.begin(), request.prescribed.end(),
     [](const SidePrescription& one) { return one.size > 0.0; });
@@ -43,9 +43,9 @@ bool MayDoWithout(const PlanarDomain& domain, const QuadRequest& request)
 }
 
 /// Returns the request for the singularities of an attempt.
-QuadRequest RequestOf(const QuadRequest& request, const QuadAttempt& attempt)
+ResolvedRequest RequestOf(const ResolvedRequest& request, const QuadAttempt& attempt)
 {
-  QuadRequest result = request;
+  ResolvedRequest result = request;
   if (!attempt.hasSingularities)
   {
     result.singularities = Configuration();
@@ -66,26 +66,25 @@ bool IsOfKind(const std::optional<Error>& error, Error::Kind kind)
   return error && error->GetKind() == kind;
 }
 
-/// Returns the attempt in words, and its quads or the cause of its error.
-std::string DescribeRecord(const QuadRequest& request, const QuadAttemptRecord& record)
+/// Returns an attempt in words.
+AttemptReport ReportOf(const ResolvedRequest& request, const QuadAttemptRecord& record)
 {
   const QuadAttempt& attempt = record.attempt;
-  std::string text = !attempt.hasSingularities ? "Without singularities"
+  std::string what = !attempt.hasSingularities ? "Without singularities"
     : request.singularities                    ? "With the given singularities"
                                                : "With chosen singularities";
-  text += attempt.layerDistance > 1.0
+  what += attempt.layerDistance > 1.0
     ? ", " + FormatShort(attempt.layerDistance) + " times as far from layers"
     : "";
-  text += attempt.repairsHolonomy ? ", with the holonomy repaired" : "";
-  text += attempt.refinement > 1.0 ? ", on a finer triangle mesh" : "";
-  text += !attempt.mergesBlocks ? ", without merging blocks" : "";
-  text += ": ";
+  what += attempt.repairsHolonomy ? ", with the holonomy repaired" : "";
+  what += attempt.refinement > 1.0 ? ", on a finer triangle mesh" : "";
+  what += !attempt.mergesBlocks ? ", without merging blocks" : "";
   if (!record.error)
   {
-    return text + record.quads;
+    return { what, record.quads };
   }
   const std::string& cause = record.error->GetCause();
-  return text + (cause.empty() ? record.error->what() : Sentence(cause, {}));
+  return { what, cause.empty() ? record.error->what() : Sentence(cause, {}) };
 }
 
 /// Returns the number of quads and blocks, and the shape of quads.
@@ -103,7 +102,7 @@ std::string DescribeQuads(const QuadResult& quads)
 class Attempts
 {
 public:
-  Attempts(const PlanarDomain& domain, const QuadRequest& request)
+  Attempts(const PlanarDomain& domain, const ResolvedRequest& request)
     : Domain(domain)
     , Request(request)
   {
@@ -129,7 +128,7 @@ public:
     this->Best->seconds = this->Seconds;
     for (const QuadAttemptRecord& record : this->Records)
     {
-      this->Best->attempts.push_back(DescribeRecord(this->Request, record));
+      this->Best->attempts.push_back(ReportOf(this->Request, record));
     }
     return std::move(*this->Best);
   }
@@ -225,7 +224,7 @@ private:
   }
 
   const PlanarDomain& Domain;
-  const QuadRequest& Request;
+  const ResolvedRequest& Request;
   std::vector<QuadAttemptRecord> Records;
   std::optional<QuadSteps> Placed;   ///< With the singularities of the last attempt.
   std::optional<QuadSteps> Repaired; ///< The same with the holonomy repaired without request.
@@ -235,7 +234,7 @@ private:
 };
 }
 
-std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadRequest& request,
+std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const ResolvedRequest& request,
   const std::vector<QuadAttemptRecord>& made)
 {
   if (made.empty())
@@ -282,7 +281,7 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadReq
 }
 
 QuadWorkflowResult MakeAttempts(
-  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress)
 {
   return Attempts(domain, request).Run(progress);
 }

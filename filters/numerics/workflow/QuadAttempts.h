@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Error.h"
-#include "QuadRequest.h"
+#include "ResolvedRequest.h"
 
 #include <optional>
 #include <string>
@@ -33,11 +33,11 @@ struct QuadAttemptRecord
 
 /// Returns what to try first, or after the attempts that were made; nothing if there is nothing more to
 /// try (docs/method.md §14.13).
-std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const QuadRequest& request,
+std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const ResolvedRequest& request,
   const std::vector<QuadAttemptRecord>& made);
 
 /// Makes the quads of a request of WithSideSizes: makes attempts until there is nothing more to try, and
 /// returns the best of them (MeshGrade.h). Throws Error if none has quads.
 QuadWorkflowResult MakeAttempts(
-  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress);
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress);
 }

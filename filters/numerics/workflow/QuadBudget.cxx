@@ -39,12 +39,11 @@ void RequireQuadSize(const PlanarDomain& domain, double quadSize)
   }
 }
 
-void RequireQuadBudget(const PlanarDomain& domain, const QuadRequest& request)
+void RequireQuadBudget(const PlanarDomain& domain, const ResolvedRequest& request)
 {
-  const BoundarySides sides = request.sides.names.empty() ? NameSides(domain) : request.sides;
   for (const SidePrescription& one : request.prescribed)
   {
-    const std::string& name = sides.names[one.side];
+    const std::string& name = request.sides.names[one.side];
     RequireCount(one.count,
       "A mesh with " + Rounded(one.count) + " edges along side '" + name + "'",
       "give the side fewer edges");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "QuadRequest.h"
+#include "ResolvedRequest.h"
 
 namespace crossfield
 {
@@ -13,5 +13,5 @@ void RequireQuadSize(const PlanarDomain& domain, double quadSize);
 
 /// Throws Error, before any work, if a request is for more than MaximumQuads quads or edges of a side, or for more quads than
 /// the available memory holds.
-void RequireQuadBudget(const PlanarDomain& domain, const QuadRequest& request);
+void RequireQuadBudget(const PlanarDomain& domain, const ResolvedRequest& request);
 }

@@ -2,7 +2,6 @@
 
 #include "AutomaticConfiguration.h"
 #include "BoundaryLayers.h"
-#include "BoundaryPieces.h"
 #include "BoundarySides.h"
 #include "CornerRows.h"
 #include "HolonomyRepair.h"
@@ -10,6 +9,7 @@
 #include "PrescribedSizes.h"
 #include "QuadMesher.h"
 #include "SeamlessMapSolve.h"
+#include "SideRequest.h"
 
 #include <optional>
 #include <string>
@@ -30,14 +30,11 @@ struct QuadRequest
 {
   std::optional<Configuration> singularities; ///< Chosen for the domain if absent.
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
-  BoundarySides sides;          ///< Sides of the boundary; if it has no names, those of NameSides.
-  SidePrescriptions prescribed; ///< Counts, progressions and sizes of these sides.
-  /// Names of pairs of sides whose nodes shall match.
-  std::vector<std::array<std::string, 2>> periodicNames;
-  std::vector<PairedSides> periodic; ///< Set by MakeQuadMesh from the names (WithPeriodicSides).
-  CurveRequest requestedCurves; ///< Curves declared for sides, and whether arcs are recognised.
-  CurvesOfSegments givenCurves; ///< Curves of the segments of the domain.
-  CurvedBoundary curves;        ///< Set by MakeQuadMesh from the two above (WithCurves).
+  BoundarySides sides; ///< Sides of the boundary; if it has no names, those of NameSides.
+  std::vector<SideRequest> sideRequests; ///< What is prescribed for sides.
+  std::vector<CornerRule> cornerRows;    ///< What rows do at corners.
+  CurvesOfSegments givenCurves;          ///< Curves of the segments of the domain.
+  bool findsArcs = false; ///< Recognises arcs of circles on sides and segments without a curve.
 
   /// Absent: conformal, and uniform where chosen singularities leave sizes too different
   /// (SizingChoice.h).
@@ -65,10 +62,8 @@ struct QuadRequest
   bool split = false;
   BlockMerge merge = BlockMerge::None;
 
-  std::vector<LayerPrescription> layers; ///< Boundary layers of sides.
   double layerDistance =
     1.0; ///< Factor of the distance that chosen singularities keep from layers.
-  std::vector<CornerRule> cornerRows; ///< What rows do at corners.
 };
 
 /// What quads have of a curve.
@@ -100,6 +95,13 @@ struct QuadSeconds
   double smooth = 0.0;
 };
 
+/// An attempt to make quads (QuadAttempts.h) in words.
+struct AttemptReport
+{
+  std::string what;
+  std::string outcome; ///< A sentence about its quads, or the cause of its error.
+};
+
 /// A quad mesh, and the singularities and corners that it was made of.
 struct QuadWorkflowResult
 {
@@ -110,10 +112,10 @@ struct QuadWorkflowResult
   /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh was
   /// refined; one sentence each.
   std::vector<std::string> events;
-  std::vector<std::string> attempts;      ///< What was tried, with its result; one sentence each.
-  std::optional<OptimizerResult> optimum; ///< Run that chose them, unless they were given.
-  std::optional<HolonomyRepair> repair;   ///< If it was requested or necessary.
-  std::vector<double> holonomyDefect;     ///< Defects of the map per inner loop, radians.
+  std::vector<AttemptReport> attempts;
+  std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
+  std::optional<HolonomyRepair> repair;       ///< If it was requested or necessary.
+  std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
   std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
   /// What is wrong with the mesh, and what helps where something was found that does: positions of
   /// chosen singularities that are no minimum, another number of quads than requested, nodes of
@@ -126,9 +128,4 @@ struct QuadWorkflowResult
   BlockCounts blocks;
   QuadSeconds seconds;
 };
-
-/// Returns whether sizes may become uniform (SizingChoice.h): no sizing is requested, singularities
-/// are chosen, and neither layers nor progressions of sides prescribe sizes. Layers need the shapes of
-/// conformal sizes: each row is as far from a rectangle as the quads that it divides.
-bool IsSizingFree(const QuadRequest& request);
 }

@@ -77,13 +77,13 @@ void RequireAngles(const PlanarDomain& domain, const Configuration& singularitie
 }
 }
 
-QuadSteps::QuadSteps(const PlanarDomain& domain, QuadRequest request, QuadSeconds& seconds)
+QuadSteps::QuadSteps(const PlanarDomain& domain, ResolvedRequest request, QuadSeconds& seconds)
   : Domain(domain)
   , Request(std::move(request))
   , Total(this->Request.quadCount)
   , Seconds(seconds)
 {
-  RequireLayers(this->Request.layers, SidesOf(domain, this->Request).names);
+  RequireLayers(this->Request.layers, this->Request.sides.names);
   if (!this->Request.layers.empty() && this->Request.quadSize == 0.0)
   {
     this->Request.quadCount = CountBeforeLayers(domain, this->Request);

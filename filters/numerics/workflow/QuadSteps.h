@@ -1,6 +1,6 @@
 #pragma once
 
-#include "QuadRequest.h"
+#include "ResolvedRequest.h"
 
 namespace crossfield
 {
@@ -11,7 +11,7 @@ class QuadSteps
 public:
   /// `seconds` receives the times of all steps, also of copies and of steps that throw. Throws Error as
   /// RequireLayers does.
-  QuadSteps(const PlanarDomain& domain, QuadRequest request, QuadSeconds& seconds);
+  QuadSteps(const PlanarDomain& domain, ResolvedRequest request, QuadSeconds& seconds);
 
   /// Chooses singularities unless they are given, splits indices and repairs the holonomy on request.
   /// Throws Error as ChooseSingularities, RequireNodes and RepairForMap do.
@@ -45,7 +45,7 @@ private:
 
   const PlanarDomain& Domain;
   /// The request; with layers, quadCount is the number of quads before they are added.
-  QuadRequest Request;
+  ResolvedRequest Request;
   const int Total; ///< Requested number of quads.
   SeamlessMapOptions MapOptions;
   Configuration BeforeRepair; ///< The singularities before the holonomy was repaired.

@@ -19,7 +19,7 @@ namespace crossfield
 namespace
 {
 /// Adds warnings about the choice, the number of quads and nearly degenerate quads.
-void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
+void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
 {
   if (result.optimum && !result.optimum->converged && !result.optimum->aborted)
   {
@@ -42,11 +42,12 @@ void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& polygons, const QuadRequest& requested, const Progress& progress)
 {
-  RequireQuadBudget(polygons, requested);
-  const CurvedRequest curved = WithCurves(polygons, requested);
+  const ResolvedRequest resolved = Resolve(polygons, requested);
+  RequireQuadBudget(polygons, resolved);
+  const CurvedRequest curved = WithCurves(polygons, resolved);
   const PlanarDomain& domain = curved.domain;
-  const QuadRequest given = WithPeriodicSides(domain, curved.request);
-  const QuadRequest request = WithSideSizes(domain, given);
+  const ResolvedRequest given = WithPeriodicSides(domain, curved.request);
+  const ResolvedRequest request = WithSideSizes(domain, given);
   const Progress trial = progress.Part(1.0, 1.0);
   Outcome<QuadWorkflowResult> outcome =
     Try([&] { return MakeAttempts(domain, request, progress); });
@@ -79,7 +80,7 @@ QuadWorkflowResult MakeQuadMesh(
       smaller = FindSmallerSize(result.quads,
         [&](double size)
         {
-          QuadRequest other = request;
+          ResolvedRequest other = request;
           other.quadSize = size;
           return MakeAttempts(domain, other, trial).quads;
         });

@@ -10,7 +10,7 @@
 namespace crossfield
 {
 AutomaticConfiguration ChooseSingularities(
-  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress)
 {
   AutomaticOptions options;
   options.proposal.corners = CompleteCorners(domain, request);

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "QuadRequest.h"
+#include "ResolvedRequest.h"
 
 namespace crossfield
 {
 /// Chooses the singularities, and the corners that go with them, for the quads of a request; the
 /// request's own singularities are ignored. Throws Error as ChooseConfiguration does.
 AutomaticConfiguration ChooseSingularities(
-  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress = {});
 
 /// Repairs the holonomy with the corners that the map will have (HolonomyRepair.h).
 HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& singularities,

@@ -34,7 +34,7 @@ struct SizedSide
   }
 };
 
-std::vector<SizedSide> FindSizedSides(const PlanarDomain& domain, const QuadRequest& request)
+std::vector<SizedSide> FindSizedSides(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   const std::vector<LoopArc> arcs(domain.loops.begin(), domain.loops.end());
   const SidesAlong along(request.sides, arcs);
@@ -67,7 +67,7 @@ std::vector<SizedSide> FindSizedSides(const PlanarDomain& domain, const QuadRequ
 class SideSizes
 {
 public:
-  SideSizes(const PlanarDomain& domain, const QuadRequest& request)
+  SideSizes(const PlanarDomain& domain, const ResolvedRequest& request)
     : Request(request)
     , Sides(FindSizedSides(domain, request))
     , Topology(ShareTopology(MeshThroughPoints(domain, {}, request.meshSize)))
@@ -188,7 +188,7 @@ private:
     return size;
   }
 
-  const QuadRequest& Request;
+  const ResolvedRequest& Request;
   const std::vector<SizedSide> Sides;
   const SharedPlanarTopology Topology;
   const Eigen::VectorXd Base;
@@ -197,12 +197,8 @@ private:
 };
 }
 
-QuadRequest WithSideSizes(const PlanarDomain& domain, QuadRequest request)
+ResolvedRequest WithSideSizes(const PlanarDomain& domain, ResolvedRequest request)
 {
-  if (request.sides.names.empty())
-  {
-    request.sides = NameSides(domain);
-  }
   RequireConsistent(
     request.sides, { domain.loops.begin(), domain.loops.end() }, request.prescribed);
   const bool isSized = std::any_of(request.prescribed.begin(), request.prescribed.end(),

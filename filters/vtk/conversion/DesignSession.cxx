@@ -5,6 +5,7 @@
 #include "PairPlacement.h"
 #include "QuarterIndexRange.h"
 #include "RequestedSingularities.h"
+#include "ResolvedRequest.h"
 
 #include <cmath>
 #include <limits>
@@ -101,7 +102,8 @@ const Configuration& DesignSession::Choose(
     quads.meshSize = request.meshSize;
     quads.quadSize = request.quadSize;
     quads.sizing = crossfield::Sizing::Conformal; // as the quads of the design
-    this->Chosen = crossfield::ChooseSingularities(this->Domain.Get(), quads, progress);
+    this->Chosen = crossfield::ChooseSingularities(
+      this->Domain.Get(), crossfield::Resolve(this->Domain.Get(), quads), progress);
   }
   return this->Chosen->singularities;
 }

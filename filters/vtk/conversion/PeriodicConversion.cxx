@@ -1,7 +1,6 @@
 #include "PeriodicConversion.h"
 
 #include "ColumnWriting.h"
-#include "EntryText.h"
 #include "Error.h"
 #include "NodePairs.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -83,27 +82,6 @@ std::vector<crossfield::SidePair> Read(
       one.motion(i / 4, i % 4) = motions->GetComponent(pair, i);
     }
     pairs.push_back(one);
-  }
-  return pairs;
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::array<std::string, 2>> ReadNames(const std::string& text)
-{
-  std::vector<std::array<std::string, 2>> pairs;
-  for (const std::string& entry : EntryText::Split(text, ';'))
-  {
-    if (entry.empty())
-    {
-      continue;
-    }
-    const auto [first, second] = EntryText::Divide(entry, "periodic pair", "A:B");
-    if (second.empty())
-    {
-      throw crossfield::Error(
-        "The periodic pair '" + entry + "' has no second name; give A:B with two sides.");
-    }
-    pairs.push_back({ first, second });
   }
   return pairs;
 }

@@ -5,7 +5,6 @@
 #include "QuadMesh.h"
 #include "SolverMesh.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -24,9 +23,6 @@ namespace PeriodicConversion
  */
 std::vector<crossfield::SidePair> Read(
   vtkFieldData* data, const std::vector<std::string>& sideNames);
-
-/** Reads pairs A:B, separated by semicolons; the last colon of a pair divides it. */
-std::vector<std::array<std::string, 2>> ReadNames(const std::string& text);
 
 /** Adds both arrays, and removes those of another mesh. */
 void Write(

@@ -185,6 +185,20 @@ void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* dat
 }
 
 //------------------------------------------------------------------------------
+void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFieldData* data)
+{
+  vtkNew<vtkStringArray> texts;
+  texts->SetName(names::Attempts);
+  texts->SetNumberOfComponents(2);
+  for (const crossfield::AttemptReport& attempt : attempts)
+  {
+    texts->InsertNextValue(attempt.what);
+    texts->InsertNextValue(attempt.outcome);
+  }
+  data->AddArray(texts);
+}
+
+//------------------------------------------------------------------------------
 std::string DescribeQuads(const QuadResult& result)
 {
   std::ostringstream text;

@@ -24,6 +24,9 @@ void WriteLayers(const std::vector<crossfield::LayerReport>& layers, vtkFieldDat
 /** Writes the measures of curves, one tuple for each; nothing if there are none. */
 void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* data);
 
+/** Writes the attempts, two texts for each. */
+void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFieldData* data);
+
 /** Returns, without a full stop, the numbers of quads and blocks and the minimum angle. */
 std::string DescribeQuads(const crossfield::QuadResult& result);
 

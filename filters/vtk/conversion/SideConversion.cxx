@@ -12,12 +12,14 @@
 #include "vtkDataSet.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkStructuredGrid.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <locale>
 #include <sstream>
-#include <utility>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -54,104 +56,28 @@ private:
   vtkDataArray* Numbers;
 };
 
-/** Reads the texts of a row. */
-class RowReader
+/** Returns the text of a cell of a table; empty for an empty string, 0 and NaN. */
+std::string TextAt(vtkAbstractArray* column, vtkIdType row)
 {
-public:
-  RowReader(const std::array<std::string, 4>& row, crossfield::SidePrescription& prescribed)
-    : Row(row)
-    , Prescribed(prescribed)
+  if (auto* texts = vtkStringArray::SafeDownCast(column))
   {
+    const std::string text = texts->GetValue(row);
+    const std::size_t first = text.find_first_not_of(" \t");
+    return first == std::string::npos
+      ? ""
+      : text.substr(first, text.find_last_not_of(" \t") - first + 1);
   }
-
-  void Read() const
+  const double number = column->GetVariantValue(row).ToDouble();
+  if (number == 0.0 || std::isnan(number))
   {
-    if (!this->Row[1].empty())
-    {
-      this->RequireOnce(this->Prescribed.count == 0, "number of edges");
-      const double count = this->Number(this->Row[1], "number of edges", "a whole number");
-      if (count < 1.0 || count > VTK_INT_MAX || count != std::floor(count))
-      {
-        this->Refuse(this->Row[1], "number of edges", "a positive whole number");
-      }
-      this->Prescribed.count = static_cast<int>(count);
-    }
-    if (!this->Row[2].empty())
-    {
-      this->RequireOnce(!this->Prescribed.isGraded, "progression");
-      this->ReadProgression();
-    }
-    if (!this->Row[3].empty())
-    {
-      this->RequireOnce(this->Prescribed.size == 0.0, "size");
-      this->Prescribed.size = this->Positive(this->Row[3], "size", "a positive number");
-    }
+    return {};
   }
-
-private:
-  [[noreturn]] void Refuse(const std::string& text, const char* what, const char* form) const
-  {
-    throw Error("The " + std::string(what) + " '" + text + "' of side '" + this->Row[0] +
-      "' is not valid; give " + form + ".");
-  }
-
-  void RequireOnce(bool isFirst, const char* what) const
-  {
-    if (!isFirst)
-    {
-      throw Error("The " + std::string(what) + " of side '" + this->Row[0] +
-        "' is prescribed twice; leave one out.");
-    }
-  }
-
-  double Number(const std::string& text, const char* what, const char* form) const
-  {
-    std::istringstream stream(text);
-    stream.imbue(std::locale::classic());
-    double value = 0.0;
-    if (!(stream >> value) || !(stream >> std::ws).eof() || !std::isfinite(value))
-    {
-      this->Refuse(text, what, form);
-    }
-    return value;
-  }
-
-  double Positive(const std::string& text, const char* what, const char* form) const
-  {
-    const double value = this->Number(text, what, form);
-    if (!(value > 0.0))
-    {
-      this->Refuse(text, what, form);
-    }
-    return value;
-  }
-
-  void ReadProgression() const
-  {
-    constexpr const char* What = "progression";
-    constexpr const char* Form =
-      "RATIO, or FIRST,LAST for lengths, positive, after both: for both ends";
-    crossfield::Progression& progression = this->Prescribed.progression;
-    std::string text = this->Row[2];
-    const std::string both = "both:";
-    progression.both = text.compare(0, both.size(), both) == 0;
-    text = progression.both ? text.substr(both.size()) : text;
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos)
-    {
-      progression.ratio = this->Positive(text, What, Form);
-    }
-    else
-    {
-      progression.first = this->Positive(text.substr(0, comma), What, Form);
-      progression.last = this->Positive(text.substr(comma + 1), What, Form);
-    }
-    this->Prescribed.isGraded = true;
-  }
-
-  const std::array<std::string, 4>& Row;
-  crossfield::SidePrescription& Prescribed;
-};
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << number;
+  return text.str();
+}
 }
 
 namespace SideConversion
@@ -213,26 +139,44 @@ crossfield::BoundarySides ReadSides(
 }
 
 //------------------------------------------------------------------------------
-crossfield::SidePrescriptions ReadPrescriptions(
-  const std::vector<std::array<std::string, 4>>& rows, const crossfield::BoundarySides& sides)
+std::vector<SideText::Row> ReadTable(vtkTable* table)
 {
-  crossfield::SidePrescriptions prescribed;
-  for (const std::array<std::string, 4>& row : rows)
+  std::vector<SideText::Row> rows(static_cast<std::size_t>(table->GetNumberOfRows()));
+  for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
   {
-    crossfield::RequireSide(sides.names, row[0]);
-    const int side = sides.Find(row[0]);
-    const auto found = std::find_if(prescribed.begin(), prescribed.end(),
-      [side](const crossfield::SidePrescription& one) { return one.side == side; });
-    if (found != prescribed.end())
+    vtkAbstractArray* column = table->GetColumn(c);
+    const std::string name = column->GetName() != nullptr ? column->GetName() : "";
+    const auto known = std::find_if(SideText::Columns.begin(), SideText::Columns.end(),
+      [&](const SideText::Column& one) { return name == one.name; });
+    if (known == SideText::Columns.end())
     {
-      RowReader(row, *found).Read();
-      continue;
+      std::string all;
+      for (const SideText::Column& one : SideText::Columns)
+      {
+        all += (all.empty() ? "" : ", ") + std::string(one.name);
+      }
+      throw Error("The table of sides has the column '" + name + "', which is none of " + all +
+        "; rename or remove it.");
     }
-    prescribed.emplace_back();
-    prescribed.back().side = side;
-    RowReader(row, prescribed.back()).Read();
+    for (std::size_t row = 0; row < rows.size(); ++row)
+    {
+      rows[row].*known->text = TextAt(column, static_cast<vtkIdType>(row));
+    }
   }
-  return prescribed;
+  if (table->GetColumnByName(SideText::Columns[0].name) == nullptr &&
+    table->GetNumberOfColumns() > 0)
+  {
+    throw Error("The table of sides has no column Side; add it with the names of the sides.");
+  }
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    if (rows[row].side.empty())
+    {
+      throw Error("Row " + std::to_string(row) +
+        " of the table of sides has no name in the column Side; give one, or remove the row.");
+    }
+  }
+  return rows;
 }
 
 //------------------------------------------------------------------------------

@@ -4,9 +4,8 @@
 #include "BoundarySides.h"
 #include "DomainConversion.h"
 #include "QuadMesh.h"
-#include "SidePrescription.h"
+#include "SideText.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,7 @@ class vtkCellData;
 class vtkDataSet;
 class vtkFieldData;
 class vtkMultiBlockDataSet;
-class vtkPolyData;
+class vtkTable;
 
 namespace crossfield
 {
@@ -42,11 +41,10 @@ crossfield::BoundarySides ReadSides(
   vtkDataSet* input, const std::string& requested, const DomainConversion::Domain& domain);
 
 /**
- * Reads rows of vtkQuadMesher::AddSide. Throws crossfield::Error if there is no such side, a text is
- * not of its form, or something is prescribed twice.
+ * Reads a table of sides with the columns of SideText, of strings or numbers; 0 prescribes nothing. A table
+ * without columns has no rows. Throws crossfield::Error if it has another column, or a row without a name.
  */
-crossfield::SidePrescriptions ReadPrescriptions(
-  const std::vector<std::array<std::string, 4>>& rows, const crossfield::BoundarySides& sides);
+std::vector<SideText::Row> ReadTable(vtkTable* table);
 
 /** Adds the array `Side` of boundary lines. */
 void WriteSides(const crossfield::QuadMesh& mesh, vtkCellData* data);

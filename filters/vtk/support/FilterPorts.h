@@ -55,6 +55,14 @@ inline int AcceptOptionalPoints(vtkInformation* info)
   return 1;
 }
 
+/** Accepts a table or no connection. */
+inline int AcceptOptionalTable(vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  return 1;
+}
+
 /**
  * Accepts singularities that RequireSingularities reads. The port is optional for VTK, whose message
  * about a missing connection names neither the input nor a remedy.

@@ -8,6 +8,7 @@
 #include "MakePlanarDomain.h"
 #include "QuadSides.h"
 #include "QuadWorkflow.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -18,23 +19,13 @@ namespace crossfield::test
 {
 namespace
 {
-LayerPrescription Layer(const std::string& name, double first, double growth = 1.2, int rows = 0)
-{
-  LayerPrescription layer;
-  layer.name = name;
-  layer.first = first;
-  layer.growth = growth;
-  layer.rows = rows;
-  return layer;
-}
-
 /// Returns the same layer on all sides of a square.
-std::vector<LayerPrescription> OnFourSides(double first, double growth = 1.2, int rows = 0)
+std::vector<SideRequest> OnFourSides(double first, double growth = 1.2, int rows = 0)
 {
-  std::vector<LayerPrescription> layers;
+  std::vector<SideRequest> layers;
   for (const char* name : { "outer0", "outer1", "outer2", "outer3" })
   {
-    layers.push_back(Layer(name, first, growth, rows));
+    layers.push_back(LayerOf(name, first, growth, rows));
   }
   return layers;
 }
@@ -44,12 +35,12 @@ PlanarDomain UnitSquare()
   return MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } } });
 }
 
-QuadRequest SquareRequest(const std::vector<LayerPrescription>& layers)
+QuadRequest SquareRequest(const std::vector<SideRequest>& layers)
 {
   QuadRequest request;
   request.quadSize = 0.05;
   request.singularities = Configuration();
-  request.layers = layers;
+  request.sideRequests = layers;
   return request;
 }
 
@@ -111,7 +102,7 @@ TEST(BoundaryLayers, OfARingAreCircles)
   const PlanarDomain ring = MakePlanarDomain({ RegularPolygon(256), RegularPolygon(256, 0.4) });
   QuadRequest request;
   request.quadSize = 0.05;
-  request.layers = { Layer("hole0", 1e-4), Layer("outer0", 1e-3, 1.3) };
+  request.sideRequests = { LayerOf("hole0", 1e-4), LayerOf("outer0", 1e-3, 1.3) };
   for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform })
   {
     request.sizing = sizing;
@@ -119,9 +110,9 @@ TEST(BoundaryLayers, OfARingAreCircles)
     ASSERT_EQ(result.layers.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i)
     {
-      EXPECT_EQ(result.layers[i].name, request.layers[i].name);
+      EXPECT_EQ(result.layers[i].name, request.sideRequests[i].side);
       EXPECT_EQ(result.layers[i].partInBounds, 1.0);
-      EXPECT_LE(result.layers[i].largestGrowth, request.layers[i].growth);
+      EXPECT_LE(result.layers[i].largestGrowth, request.sideRequests[i].layer->growth);
     }
     // Three annuli, cut along the same line.
     EXPECT_EQ(result.quads.blocks.blocks.size(), 3U);
@@ -152,7 +143,7 @@ TEST(BoundaryLayers, NothingMovesOutsideTheBand)
   request.quadSize = 0.06;
   request.singularities = OnCircle(4, 0.45, 0.3, 1, 0.0);
   const QuadWorkflowResult plain = MakeQuadMesh(domain, request);
-  request.layers = { Layer("outer0", 1e-3) };
+  request.sideRequests = { LayerOf("outer0", 1e-3) };
   const QuadWorkflowResult layered = MakeQuadMesh(domain, request);
   const LayerReport& report = layered.layers[0];
   const int columns = static_cast<int>(plain.quads.mesh.boundary.size());
@@ -181,7 +172,7 @@ TEST(BoundaryLayers, NumberOfQuadsIncludesTheRows)
   const PlanarDomain ring = MakePlanarDomain({ RegularPolygon(256), RegularPolygon(256, 0.4) });
   QuadRequest request;
   request.quadCount = 5000;
-  request.layers = { Layer("hole0", 1e-4) };
+  request.sideRequests = { LayerOf("hole0", 1e-4) };
   const QuadWorkflowResult result = MakeQuadMesh(ring, request);
   EXPECT_NEAR(static_cast<double>(result.quads.mesh.quads.size()), 5000.0, 250.0);
   EXPECT_TRUE(result.warnings.empty());
@@ -196,7 +187,7 @@ TEST(BoundaryLayers, ChosenSingularitiesLeaveRoom)
   request.quadSize = 0.06;
   // As chosen without a layer, they leave too few rows, and the message says so.
   request.singularities = MakeQuadMesh(domain, request).singularities;
-  request.layers = { Layer("hole0", 1e-3) };
+  request.sideRequests = { LayerOf("hole0", 1e-3) };
   std::string message;
   try
   {
@@ -273,7 +264,7 @@ TEST(BoundaryLayers, OfAProfileGiveACGrid)
   QuadRequest request;
   request.quadCount = 10000;
   request.sizing = Sizing::Conformal;
-  request.layers = { Layer("hole0", 1e-4) };
+  request.sideRequests = { LayerOf("hole0", 1e-4) };
   const QuadWorkflowResult result = MakeQuadMesh(domain, request);
   EXPECT_TRUE(result.singularities.empty());
   const auto edge = std::find_if(result.corners.begin(), result.corners.end(),
@@ -313,22 +304,22 @@ TEST(BoundaryLayers, ImpossiblePrescriptionsAreRefused)
 {
   const PlanarDomain square = UnitSquare();
   const auto refuses =
-    [&](const std::vector<LayerPrescription>& layers, const std::vector<std::string>& parts)
+    [&](const std::vector<SideRequest>& layers, const std::vector<std::string>& parts)
   { return Refuses([&] { MakeQuadMesh(square, SquareRequest(layers)); }, parts); };
   EXPECT_TRUE(refuses(
-    { Layer("wall", 1e-3) }, { "no side 'wall'", "'outer0', 'outer1', 'outer2' or 'outer3'" }));
-  EXPECT_TRUE(refuses({ Layer("outer0", 0.0) }, { "first height of 0", "positive" }));
-  EXPECT_TRUE(refuses({ Layer("outer0", -1.0) }, { "first height of -1" }));
-  EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 1.0) }, { "growth of 1", "above 1" }));
-  EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 5.0) }, { "growth of 5", "at most 3" }));
-  EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 1.2, -2) }, { "-2 rows" }));
+    { LayerOf("wall", 1e-3) }, { "no side 'wall'", "'outer0', 'outer1', 'outer2' or 'outer3'" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", 0.0) }, { "first height of 0", "positive" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", -1.0) }, { "first height of -1" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 1.0) }, { "growth of 1", "above 1" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 5.0) }, { "growth of 5", "at most 3" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 1.2, -2) }, { "-2 rows" }));
   EXPECT_TRUE(
-    refuses({ Layer("outer0", 1e-3), Layer("outer0", 1e-4) }, { "'outer0' has two layers" }));
+    refuses({ LayerOf("outer0", 1e-3), LayerOf("outer0", 1e-4) }, { "'outer0' has two layers" }));
   EXPECT_TRUE(
-    refuses({ Layer("outer0", 0.2) }, { "first height 0.2", "is not below the height 0.05" }));
+    refuses({ LayerOf("outer0", 0.2) }, { "first height 0.2", "is not below the height 0.05" }));
   EXPECT_TRUE(
-    refuses({ Layer("outer0", 1e-3, 1.2, 3) }, { "needs 14 rows", "but 3 are prescribed" }));
-  EXPECT_TRUE(refuses({ Layer("outer0", 1e-2, 1.2, 1000) }, { "at least 10 thick", "fewer rows" }));
+    refuses({ LayerOf("outer0", 1e-3, 1.2, 3) }, { "needs 14 rows", "but 3 are prescribed" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-2, 1.2, 1000) }, { "at least 10 thick", "fewer rows" }));
   // Too few quads between two sides.
   QuadRequest narrow = SquareRequest(OnFourSides(1e-3, 1.05));
   narrow.quadSize = 0.25;
@@ -341,28 +332,23 @@ TEST(BoundaryLayers, PrescribedNumbersOfEdgesHold)
 {
   const PlanarDomain square = UnitSquare();
   const auto withCount =
-    [&](const std::vector<LayerPrescription>& layers, const std::string& side, int count)
+    [&](const std::vector<SideRequest>& layers, const std::string& side, int count)
   {
     QuadRequest request = SquareRequest(layers);
     request.sides = NameSides(square);
-    const std::vector<std::string>& names = request.sides.names;
-    SidePrescription prescription;
-    prescription.side =
-      static_cast<int>(std::find(names.begin(), names.end(), side) - names.begin());
-    prescription.count = count;
-    request.prescribed = { prescription };
+    request.sideRequests.push_back(CountOf(side, count));
     return request;
   };
   // The layer ends on the sides beside it and adds edges to them, but not to its own side.
-  const std::vector<LayerPrescription> one = { Layer("outer0", 1e-3) };
-  for (const std::vector<LayerPrescription>& layers : { one, OnFourSides(1e-3) })
+  const std::vector<SideRequest> one = { LayerOf("outer0", 1e-3) };
+  for (const std::vector<SideRequest>& layers : { one, OnFourSides(1e-3) })
   {
     for (const auto& [name, count] : std::map<std::string, int>{
            { "outer0", 58 }, { "outer1", 59 }, { "outer2", 60 }, { "outer3", 90 } })
     {
       const QuadRequest request = withCount(layers, name, count);
       const QuadWorkflowResult result = MakeQuadMesh(square, request);
-      EXPECT_EQ(MeasureSides(result.quads.mesh)[Index(request.prescribed[0].side)].edges, count);
+      EXPECT_EQ(MeasureSides(result.quads.mesh)[Index(request.sides.Find(name))].edges, count);
       EXPECT_NEAR(result.layers[0].minimumHeight, 1e-3, 1e-9);
     }
   }

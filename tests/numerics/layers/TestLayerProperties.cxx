@@ -6,6 +6,7 @@
 #include "MakePlanarDomain.h"
 #include "QuadWorkflow.h"
 #include "Segment.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -83,10 +84,10 @@ PlanarDomain RandomPart(Random& random, int number)
 
 /// Returns layers on some of the sides, at least one. Those of one loop, which may share rows, have
 /// the same height.
-std::vector<LayerPrescription> RandomLayers(
+std::vector<SideRequest> RandomLayers(
   Random& random, const PlanarDomain& domain, double quadSize)
 {
-  std::vector<LayerPrescription> layers;
+  std::vector<SideRequest> layers;
   const BoundarySides sides = NameSides(domain);
   const int forced = random.Integer(0, static_cast<int>(sides.names.size()) - 1);
   const double growth = random.Integer(0, 1) == 0 ? 1.2 : 1.3;
@@ -95,13 +96,11 @@ std::vector<LayerPrescription> RandomLayers(
   {
     if (static_cast<int>(side) == forced || random.Integer(0, 2) == 0)
     {
-      LayerPrescription layer;
-      layer.name = sides.names[side];
-      layer.first = layer.name.find("outer") == 0
+      const std::string& name = sides.names[side];
+      const double first = name.find("outer") == 0
         ? outer
         : quadSize * std::pow(10.0, random.Uniform(-3.0, -1.0));
-      layer.growth = growth;
-      layers.push_back(layer);
+      layers.push_back(LayerOf(name, first, growth));
     }
   }
   return layers;
@@ -152,7 +151,7 @@ std::map<int, int> RequestedOf(const QuadWorkflowResult& result)
 
 /// Measures the heights of the first rows independently of LayerReport: distances of the points next
 /// to the wall from the edges of its side. Returns the part of them that is within 5 %.
-double PartWithin(const QuadWorkflowResult& result, const std::vector<LayerPrescription>& layers)
+double PartWithin(const QuadWorkflowResult& result, const std::vector<SideRequest>& layers)
 {
   const QuadMesh& mesh = result.quads.mesh;
   const auto placeOf = [&](int point)
@@ -171,7 +170,7 @@ double PartWithin(const QuadWorkflowResult& result, const std::vector<LayerPresc
   {
     const std::string& name = mesh.sideNames[static_cast<std::size_t>(edge.side)];
     const auto layer = std::find_if(layers.begin(), layers.end(),
-      [&](const LayerPrescription& candidate) { return candidate.name == name; });
+      [&](const SideRequest& candidate) { return candidate.side == name; });
     if (layer == layers.end())
     {
       continue;
@@ -189,7 +188,7 @@ double PartWithin(const QuadWorkflowResult& result, const std::vector<LayerPresc
               .norm());
     }
     ++all;
-    within += std::abs(distance / layer->first - 1.0) <= 0.05 ? 1 : 0;
+    within += std::abs(distance / layer->layer->first - 1.0) <= 0.05 ? 1 : 0;
   }
   return static_cast<double>(within) / all;
 }
@@ -212,7 +211,7 @@ TEST(LayerProperties, HoldOnRandomParts)
     QuadRequest request;
     request.quadSize = std::sqrt(domain.Area() / random.Uniform(1500.0, 4000.0));
     request.sizing = random.Integer(0, 1) == 0 ? Sizing::Conformal : Sizing::Uniform;
-    request.layers = RandomLayers(random, domain, request.quadSize);
+    request.sideRequests = RandomLayers(random, domain, request.quadSize);
     try
     {
       const QuadWorkflowResult result = MakeQuadMesh(domain, request);
@@ -222,17 +221,17 @@ TEST(LayerProperties, HoldOnRandomParts)
       EXPECT_EQ(IrregularOf(mesh), RequestedOf(result));
       ExpectSoundBlocks(result.quads);
       EXPECT_EQ(result.quads.quality.inverted, 0);
-      ASSERT_EQ(result.layers.size(), request.layers.size());
+      ASSERT_EQ(result.layers.size(), request.sideRequests.size());
       for (std::size_t i = 0; i < result.layers.size(); ++i)
       {
         const LayerReport& report = result.layers[i];
-        EXPECT_EQ(report.name, request.layers[i].name);
+        EXPECT_EQ(report.name, request.sideRequests[i].side);
         EXPECT_GE(report.partInBounds, 0.95) << report.name;
         // Where bands cross at oblique corners, heights follow the second band.
-        EXPECT_LE(report.largestGrowth, request.layers[i].growth * 1.1) << report.name;
+        EXPECT_LE(report.largestGrowth, request.sideRequests[i].layer->growth * 1.1) << report.name;
         EXPECT_GE(report.rows, report.rowsReplaced) << report.name;
       }
-      const double part = PartWithin(result, request.layers);
+      const double part = PartWithin(result, request.sideRequests);
       EXPECT_GE(part, 0.95);
       if (requested != nullptr || from != nullptr)
       {

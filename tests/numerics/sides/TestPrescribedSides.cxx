@@ -3,10 +3,12 @@
 #include "PrescribedSides.h"
 
 #include "BoundaryCorners.h"
+#include "Index.h"
 #include "MakePlanarDomain.h"
 #include "QuadSides.h"
 #include "QuadWorkflow.h"
 #include "RandomSides.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -91,22 +93,6 @@ BoundarySides RectangleSides()
   return NameSides(Rectangle(), { { "bottom", "right", "top", "left" } });
 }
 
-SidePrescription Count(int side, int count)
-{
-  SidePrescription one;
-  one.side = side;
-  one.count = count;
-  return one;
-}
-
-SidePrescription Graded(int side, const Progression& progression)
-{
-  SidePrescription one;
-  one.side = side;
-  one.isGraded = true;
-  one.progression = progression;
-  return one;
-}
 }
 
 TEST(SidePrescription, EdgesWithinInvertsDivideLength)
@@ -174,15 +160,15 @@ TEST(PrescribedSides, CountsThatCanBeMetAreMet)
     {
       if (random.Integer(0, 1) == 1)
       {
-        request.prescribed.push_back(Count(side, measures[static_cast<std::size_t>(side)].edges));
+        request.sideRequests.push_back(CountOf(request.sides.names[Index(side)], measures[Index(side)].edges));
       }
     }
     const QuadWorkflowResult result = MakeQuadMesh(domain, request);
     EXPECT_EQ(result.quads.quality.inverted, 0);
     const std::vector<SideMeasure> found = MeasureSides(result.quads.mesh);
-    for (const SidePrescription& one : request.prescribed)
+    for (const SideRequest& one : request.sideRequests)
     {
-      EXPECT_EQ(found[static_cast<std::size_t>(one.side)].edges, one.count);
+      EXPECT_EQ(found[Index(request.sides.Find(one.side))].edges, one.count);
       ++prescribed;
     }
   }
@@ -197,7 +183,7 @@ TEST(PrescribedSides, OddCountsAroundAHole)
   {
     QuadRequest request;
     request.quadCount = 500;
-    request.prescribed = { Count(4, count), Count(0, 29) };
+    request.sideRequests = { CountOf("hole0", count), CountOf("outer0", 29) };
     const QuadWorkflowResult result = MakeQuadMesh(domain, request);
     ASSERT_EQ(result.quads.mesh.sideNames[4], "hole0");
     const std::vector<SideMeasure> found = MeasureSides(result.quads.mesh);
@@ -216,7 +202,7 @@ TEST(PrescribedSides, EveryMergeKeepsCounts)
     QuadRequest request;
     request.quadCount = 600;
     request.merge = merge;
-    request.prescribed = { Count(0, 31), Count(5, 22) };
+    request.sideRequests = { CountOf("outer0", 31), CountOf("hole1", 22) };
     const QuadWorkflowResult result = MakeQuadMesh(domain, request);
     const std::vector<SideMeasure> found = MeasureSides(result.quads.mesh);
     EXPECT_EQ(found[0].edges, 31);
@@ -237,7 +223,7 @@ TEST(PrescribedSides, ProgressionsAreGeometric)
       Progression progression;
       progression.ratio = ratio;
       progression.both = both;
-      request.prescribed = { Graded(request.sides.Find("bottom"), progression) };
+      request.sideRequests = { GradingOf("bottom", progression) };
       const QuadResult quads = MakeQuadMesh(Rectangle(), request).quads;
       EXPECT_EQ(quads.quality.inverted, 0);
       const std::vector<double> edges =
@@ -274,7 +260,7 @@ TEST(PrescribedSides, ProgressionsOfRandomPartsAreGeometric)
     Progression progression;
     progression.ratio = std::exp(random.Uniform(-1.2, 1.2));
     const int side = random.Integer(0, static_cast<int>(request.sides.names.size()) - 1);
-    request.prescribed = { Graded(side, progression) };
+    request.sideRequests = { GradingOf(request.sides.names[Index(side)], progression) };
     QuadResult quads;
     try
     {
@@ -304,7 +290,7 @@ TEST(PrescribedSides, LengthsOfFirstAndLastEdgeAreMet)
   Progression progression;
   progression.first = 0.02;
   progression.last = 0.2;
-  request.prescribed = { Graded(request.sides.Find("bottom"), progression) };
+  request.sideRequests = { GradingOf("bottom", progression) };
   const QuadResult quads = MakeQuadMesh(Rectangle(), request).quads;
   const std::vector<double> edges =
     EdgesOf(quads.mesh, Rectangle(), request.sides.Find("bottom")).at(0);
@@ -323,14 +309,14 @@ TEST(PrescribedSides, SizesAtSidesHoldWithinTheTolerance)
     QuadRequest request;
     request.sides = NameSides(domain, RandomNames(random, domain, 3));
     request.quadSize = domain.Diagonal() / random.Uniform(20.0, 35.0);
-    SidePrescription one;
-    one.side = random.Integer(0, static_cast<int>(request.sides.names.size()) - 1);
-    one.size = request.quadSize * random.Uniform(0.3, 0.9);
-    request.prescribed = { one };
+    const int side = random.Integer(0, static_cast<int>(request.sides.names.size()) - 1);
+    const SideRequest one =
+      SizeOf(request.sides.names[Index(side)], request.quadSize * random.Uniform(0.3, 0.9));
+    request.sideRequests = { one };
     const QuadWorkflowResult result = MakeQuadMesh(domain, request);
     EXPECT_EQ(result.quads.quality.inverted, 0);
     for (const std::vector<double>& part :
-      PartsOf(result.quads.mesh, domain, request.sides, one.side))
+      PartsOf(result.quads.mesh, domain, request.sides, side))
     {
       // no number of equal edges meets the size on a part shorter than this
       const double length = std::accumulate(part.begin(), part.end(), 0.0);
@@ -349,10 +335,7 @@ TEST(PrescribedSides, SizesGrowFromASideAndKeepTheOthers)
   QuadRequest request;
   request.quadSize = 0.2;
   request.sides = RectangleSides();
-  SidePrescription one;
-  one.side = request.sides.Find("left");
-  one.size = 0.05;
-  request.prescribed = { one };
+  request.sideRequests = { SizeOf("left", 0.05) };
   const QuadResult quads = MakeQuadMesh(Rectangle(), request).quads;
   const std::vector<double> bottom =
     EdgesOf(quads.mesh, Rectangle(), request.sides.Find("bottom")).at(0);
@@ -374,22 +357,39 @@ TEST(PrescribedSides, ContradictionsNameTheStrip)
 {
   QuadRequest request;
   request.sides = RectangleSides();
-  const int bottom = request.sides.Find("bottom");
-  request.prescribed = { Count(bottom, 24), Count(request.sides.Find("top"), 11) };
+  request.sideRequests = { CountOf("bottom", 24), CountOf("top", 11) };
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(Rectangle(), request); },
     { "bottom:24 and top:11 are sides of one strip of quads; give equal numbers or leave one out." }));
-  request.prescribed.push_back(Count(request.sides.Find("left"), 9));
+  request.sideRequests.push_back(CountOf("left", 9));
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(Rectangle(), request); }, { "bottom:24 and top:11 are" }));
-  request.prescribed.back() = Count(request.sides.Find("top"), 24);
-  request.prescribed.erase(request.prescribed.begin() + 1);
+  request.sideRequests.back() = CountOf("top", 24);
+  request.sideRequests.erase(request.sideRequests.begin() + 1);
   EXPECT_EQ(MeasureSides(MakeQuadMesh(Rectangle(), request).quads.mesh)[0].edges, 24);
+}
+
+TEST(PrescribedSides, NothingIsPrescribedTwice)
+{
+  QuadRequest request;
+  request.sides = RectangleSides();
+  request.quadCount = 100;
+  request.sideRequests = { CountOf("bottom", 12), GradingOf("bottom", { 2.0 }) };
+  EXPECT_EQ(MeasureSides(MakeQuadMesh(Rectangle(), request).quads.mesh)[0].edges, 12);
+  for (const SideRequest& again : { CountOf("bottom", 12), GradingOf("bottom", { 3.0 }) })
+  {
+    QuadRequest twice = request;
+    twice.sideRequests.push_back(again);
+    EXPECT_TRUE(Refuses([&] { MakeQuadMesh(Rectangle(), twice); },
+      { "of side 'bottom' is prescribed twice; leave one out." }));
+  }
+  request.sideRequests = { CountOf("lid", 3) };
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(Rectangle(), request); }, { "no side 'lid'" }));
 }
 
 TEST(PrescribedSides, ProgressionsOfClosedCurvesAreRefused)
 {
   const PlanarDomain disk = DiskOfEdges(0.1);
   QuadRequest request;
-  request.prescribed = { Graded(0, { 2.0 }) };
+  request.sideRequests = { GradingOf("outer0", { 2.0 }) };
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(disk, request); }, { "'outer0' is a closed curve" }));
 }
 }

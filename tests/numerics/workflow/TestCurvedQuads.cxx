@@ -8,6 +8,7 @@
 #include "Error.h"
 #include "Index.h"
 #include "MakePlanarDomain.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ Part PlateWith(const Loop& hole, Kind kind)
   SegmentNames names = { { "bottom", "right", "top", "left" },
     std::vector<std::string>(hole.size(), "hole") };
   part.request.sides = NameSides(part.domain, names);
-  part.request.requestedCurves.declared = { { "hole", kind } };
+  part.request.sideRequests = { CurveOf("hole", kind) };
   part.request.quadCount = 300;
   part.request.sizing = Sizing::Conformal;
   return part;
@@ -142,7 +143,7 @@ TEST(CurvedQuads, NodesAreOnGivenCurves)
     hole.push_back(curve.At(0.2 * i));
   }
   Part part = PlateWith(hole, Kind::Line);
-  part.request.requestedCurves = {};
+  part.request.sideRequests.clear();
   part.request.givenCurves.curves = { nurbs };
   part.request.givenCurves.ofSegment = { std::vector<int>(4, -1), std::vector<int>(20, 0) };
   int edges = 0;
@@ -155,18 +156,14 @@ TEST(CurvedQuads, LayersAndCountsKeepNodesOnCurves)
   std::mt19937 random(7);
   Part part = PlateWith(EllipseOf(random, 40), Kind::Ellipse);
   part.request.quadCount = 800;
-  part.request.layers.push_back({ "hole", 2e-3, 1.2, 0 });
+  part.request.sideRequests.push_back(LayerOf("hole", 2e-3));
   const QuadWorkflowResult layered = MakeQuadMesh(part.domain, part.request);
   int edges = 0;
   EXPECT_LT(LargestDistance(layered, edges), 1e-12 * part.domain.Diagonal());
   ASSERT_EQ(layered.layers.size(), 1U);
   EXPECT_NEAR(layered.layers[0].minimumHeight, 2e-3, 1e-4);
 
-  part.request.layers.clear();
-  SidePrescription count;
-  count.side = part.request.sides.Find("hole");
-  count.count = 48;
-  part.request.prescribed = { count };
+  part.request.sideRequests.back() = CountOf("hole", 48);
   LargestDistance(MakeQuadMesh(part.domain, part.request), edges);
   EXPECT_EQ(edges, 48);
 }

@@ -6,6 +6,7 @@
 #include "MakePlanarDomain.h"
 #include "NodePairs.h"
 #include "QuadSides.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -127,7 +128,7 @@ QuadRequest RequestFor(const PeriodicDomain& domain, int count)
   QuadRequest request;
   request.sides = domain.sides;
   request.quadCount = count;
-  request.periodicNames = { { "a", "b" } };
+  request.sideRequests = { PartnerOf("a", "b") };
   return request;
 }
 
@@ -186,7 +187,7 @@ TEST(PeriodicQuads, MatchOnRandomDomainsWithGoodQuads)
     EXPECT_EQ(result.quads.counts.nodes, 0) << "of branch and cut: the flow is enough";
     EXPECT_NEAR(static_cast<double>(result.quads.mesh.quads.size()), request.quadCount,
       0.05 * request.quadCount + 1.0);
-    request.periodicNames.clear();
+    request.sideRequests.clear();
     const QuadWorkflowResult without = MakeQuadMesh(domain.domain, request);
     sum += result.quads.quality.jacobian.min / without.quads.quality.jacobian.min;
     EXPECT_GT(result.quads.quality.jacobian.mean, 0.93 * without.quads.quality.jacobian.mean);
@@ -205,22 +206,18 @@ TEST(PeriodicQuads, MatchWithLayersAndNumbers)
       trial % 2 == 0 ? RandomPassage(random, 0) : RandomSector(random, 0);
     QuadRequest request = RequestFor(domain, random.Integer(400, 900));
     const double size = std::sqrt(domain.domain.Area() / request.quadCount);
+    int count = 0;
     if (trial < 3)
     {
-      SidePrescription count;
-      count.side = domain.sides.Find(trial == 0 ? "a" : "b");
-      count.count = random.Integer(18, 26);
-      request.prescribed = { count };
+      count = random.Integer(18, 26);
+      request.sideRequests.push_back(CountOf(trial == 0 ? "a" : "b", count));
     }
     for (const char* name : { "low", "high" })
     {
       if (trial > 3 || std::string(name) == "low")
       {
-        LayerPrescription layer;
-        layer.name = name;
-        layer.first = random.Uniform(0.05, 0.2) * size;
-        layer.growth = random.Uniform(1.3, 1.5);
-        request.layers.push_back(layer);
+        const double first = random.Uniform(0.05, 0.2) * size;
+        request.sideRequests.push_back(LayerOf(name, first, random.Uniform(1.3, 1.5)));
       }
     }
     try
@@ -228,15 +225,15 @@ TEST(PeriodicQuads, MatchWithLayersAndNumbers)
       const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
       ExpectPeriodic(domain, result);
       ++made;
-      if (!request.prescribed.empty())
+      if (count > 0)
       {
-        EXPECT_EQ(EdgesOf(result), request.prescribed[0].count) << "layers included";
+        EXPECT_EQ(EdgesOf(result), count) << "layers included";
       }
     }
     catch (const Error& error)
     {
       EXPECT_EQ(error.GetKind(), Error::Kind::LackOfRows) << error.what();
-      request.periodicNames.clear(); // singularities are in the way, and not the pair
+      request.sideRequests.erase(request.sideRequests.begin()); // singularities are in the way, and not the pair
       EXPECT_THROW(MakeQuadMesh(domain.domain, request), Error);
     }
   }
@@ -251,7 +248,7 @@ TEST(PeriodicQuads, MatchInLargeMeshes)
   const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
   EXPECT_GT(result.quads.mesh.quads.size(), 6500U) << "smoothed with coarser meshes";
   ExpectPeriodic(domain, result);
-  request.periodicNames.clear();
+  request.sideRequests.clear();
   const QuadWorkflowResult without = MakeQuadMesh(domain.domain, request);
   EXPECT_GT(result.quads.quality.jacobian.min, 0.7 * without.quads.quality.jacobian.min);
 }
@@ -261,11 +258,7 @@ TEST(PeriodicQuads, MatchWithAProgressionOfOneSide)
   Random random(62);
   const PeriodicDomain domain = RandomSector(random, 0);
   QuadRequest request = RequestFor(domain, 400);
-  SidePrescription graded;
-  graded.side = domain.sides.Find("b");
-  graded.isGraded = true;
-  graded.progression.ratio = 3.0;
-  request.prescribed = { graded };
+  request.sideRequests.push_back(GradingOf("b", { 3.0 }));
   const QuadWorkflowResult result = MakeQuadMesh(domain.domain, request);
   ExpectPeriodic(domain, result);
   const QuadMesh& mesh = result.quads.mesh;
@@ -273,8 +266,7 @@ TEST(PeriodicQuads, MatchWithAProgressionOfOneSide)
   const auto edge = [&](std::size_t i)
   { return (mesh.points[Index(side[i + 1])].place - mesh.points[Index(side[i])].place).norm(); };
   EXPECT_NEAR(edge(0) / edge(side.size() - 2), 3.0, 0.1) << "reversed on the other side";
-  graded.side = domain.sides.Find("a");
-  request.prescribed.push_back(graded);
+  request.sideRequests.push_back(GradingOf("a", { 3.0 }));
   EXPECT_TRUE(
     Refuses([&] { MakeQuadMesh(domain.domain, request); },
       { "The periodic sides 'b' and 'a' have different", "prescribe them for one of both" }) ||
@@ -289,7 +281,7 @@ TEST(PeriodicQuads, AreSymmetricAndPeriodicInBothDirections)
   QuadRequest request;
   request.quadCount = 300;
   request.sides = NameSides(domain);
-  request.periodicNames = { { "outer3", "outer1" }, { "outer0", "outer2" } };
+  request.sideRequests = { PartnerOf("outer3", "outer1"), PartnerOf("outer0", "outer2") };
   const QuadWorkflowResult result = MakeQuadMesh(domain, request);
   EXPECT_EQ(result.quads.smoothing.symmetries, 4);
   const std::vector<PairedSides>& pairs = result.quads.mesh.periodic;
@@ -325,7 +317,7 @@ TEST(PeriodicQuads, MatchAroundACommonCorner)
     }
   }
   ASSERT_EQ(straight.size(), 2U);
-  request.periodicNames = { { straight[0], straight[1] } };
+  request.sideRequests = { PartnerOf(straight[0], straight[1]) };
   const QuadWorkflowResult result = MakeQuadMesh(domain, request);
   const PairedSides& pair = result.quads.mesh.periodic.at(0);
   EXPECT_NEAR(std::abs(pair.motion.angle), Pi / 3.0, 1e-12);
@@ -359,22 +351,18 @@ TEST(PeriodicQuads, NamePairsThatFitNoMesh)
   QuadRequest request;
   request.quadCount = 200;
   request.sides = NameSides(domain);
-  request.periodicNames = { { "outer5", "outer1" } };
+  request.sideRequests = { PartnerOf("outer5", "outer1") };
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(domain, request); },
     { "The periodic pair outer5:outer1 fits no mesh of these singularities; leave it out." }));
   // of a straight L-shape with both sides of length 1 paired, the side of length 2 has an even number
   const PlanarDomain shape =
     MakePlanarDomain({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } });
   request.sides = NameSides(shape);
-  request.periodicNames = { { "outer1", "outer3" } };
-  SidePrescription count;
-  count.side = request.sides.Find("outer5");
-  count.count = 13;
-  request.prescribed = { count };
+  request.sideRequests = { PartnerOf("outer1", "outer3"), CountOf("outer5", 13) };
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(shape, request); },
     { "The periodic pair outer1:outer3 and outer5:13 contradict each other",
       "give outer5:14 or" }));
-  request.prescribed[0].count = 14;
+  request.sideRequests[1].count = 14;
   const QuadWorkflowResult result = MakeQuadMesh(shape, request);
   EXPECT_EQ(EdgesOf(result), 7);
 }

@@ -3,6 +3,7 @@
 #include "QuadAttempts.h"
 
 #include "QuadWorkflow.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ QuadAttemptRecord Record(const QuadAttempt& attempt, Result result)
 
 /// Calls visit with every list of records that leads to no further attempt.
 template <typename Visit>
-void ForAllRuns(const PlanarDomain& domain, const QuadRequest& request,
+void ForAllRuns(const PlanarDomain& domain, const ResolvedRequest& request,
   std::vector<QuadAttemptRecord> made, const Visit& visit)
 {
   const std::optional<QuadAttempt> next = NextAttempt(domain, request, made);
@@ -62,13 +63,12 @@ void ForAllRuns(const PlanarDomain& domain, const QuadRequest& request,
   }
 }
 
-QuadRequest WithLayer(const std::string& side)
+/// Returns a request with a layer at a disk or ring.
+ResolvedRequest WithLayer(const PlanarDomain& domain)
 {
   QuadRequest request;
-  request.layers.emplace_back();
-  request.layers[0].name = side;
-  request.layers[0].first = 0.01;
-  return request;
+  request.sideRequests = { LayerOf("outer0", 0.01) };
+  return Resolve(domain, request);
 }
 
 TEST(QuadAttempts, AreDifferentAndEndWithTheFirstGoodOne)
@@ -80,7 +80,7 @@ TEST(QuadAttempts, AreDifferentAndEndWithTheFirstGoodOne)
     {
       for (const bool isGiven : { false, true })
       {
-        QuadRequest request = WithLayer("outer0");
+        ResolvedRequest request = WithLayer(domain);
         request.merge = merge;
         if (isGiven)
         {
@@ -109,7 +109,7 @@ TEST(QuadAttempts, AreDifferentAndEndWithTheFirstGoodOne)
 TEST(QuadAttempts, RefineTheMeshThenRepairTheHolonomy)
 {
   const PlanarDomain ring = Builtin("ring");
-  QuadRequest request;
+  ResolvedRequest request = Resolve(ring, {});
   std::vector<QuadAttemptRecord> made;
   const auto next = [&]
   {
@@ -141,7 +141,7 @@ TEST(QuadAttempts, RefineTheMeshThenRepairTheHolonomy)
 TEST(QuadAttempts, MoveChosenSingularitiesAwayFromLayersUpToALimit)
 {
   const PlanarDomain disk = Builtin("disk");
-  QuadRequest request = WithLayer("outer0");
+  ResolvedRequest request = WithLayer(disk);
   request.merge = BlockMerge::Clean;
   std::vector<QuadAttemptRecord> made;
   while (const std::optional<QuadAttempt> attempt = NextAttempt(disk, request, made))
@@ -162,7 +162,7 @@ TEST(QuadAttempts, MoveChosenSingularitiesAwayFromLayersUpToALimit)
 TEST(QuadAttempts, KeepTheMeshWhereOnlyMergingIsInTheWay)
 {
   const PlanarDomain ring = Builtin("ring");
-  QuadRequest request = WithLayer("outer0");
+  ResolvedRequest request = WithLayer(ring);
   request.merge = BlockMerge::Clean;
   request.singularities.emplace();
   std::vector<QuadAttemptRecord> made;
@@ -185,10 +185,11 @@ TEST(QuadAttempts, AreInTheResult)
   request.quadCount = 300;
   const QuadWorkflowResult result = MakeQuadMesh(Builtin("disk"), request);
   ASSERT_EQ(result.attempts.size(), 1U);
-  EXPECT_EQ(result.attempts[0].find("With chosen singularities: " +
-              std::to_string(result.quads.mesh.quads.size()) + " quads in "),
+  EXPECT_EQ(result.attempts[0].what, "With chosen singularities");
+  EXPECT_EQ(
+    result.attempts[0].outcome.find(std::to_string(result.quads.mesh.quads.size()) + " quads in "),
     0U)
-    << result.attempts[0];
+    << result.attempts[0].outcome;
 }
 }
 }

@@ -3,6 +3,7 @@
 
 #include "MakePlanarDomain.h"
 #include "QuadWorkflow.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -135,22 +136,14 @@ TEST(QuadInvariance, SymmetricPrescriptionsGiveSymmetricQuads)
     {
       QuadRequest other = request;
       other.sizing = sizing;
-      other.layers.resize(1);
-      other.layers[0].name = "hole";
-      other.layers[0].first = 2e-3;
+      other.sideRequests = { LayerOf("hole", 2e-3) };
       ExpectSymmetric(domain, other);
-      SidePrescription count;
-      count.side = request.sides.Find("hole");
-      count.count = 96;
-      other.prescribed = { count };
+      other.sideRequests.push_back(CountOf("hole", 96));
       ExpectSymmetric(domain, other);
-      other.layers.clear();
+      other.sideRequests = { CountOf("hole", 96) };
       ExpectSymmetric(domain, other);
     }
-    SidePrescription size;
-    size.side = request.sides.Find("hole");
-    size.size = 0.03;
-    request.prescribed = { size };
+    request.sideRequests = { SizeOf("hole", 0.03) };
     ExpectSymmetric(domain, request);
   }
 }
