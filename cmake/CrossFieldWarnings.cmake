@@ -17,10 +17,12 @@ set(crossfield_warnings
   -Wold-style-cast
   -Woverloaded-virtual
   -Wshadow
-  -Wundef
-  -Wno-sign-conversion) # part of -Wconversion for clang; indices are signed in Eigen and unsigned in the library
+  -Wundef)
 if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND crossfield_warnings -Wduplicated-branches -Wduplicated-cond -Wlogical-op)
+endif ()
+if (CMAKE_CXX_COMPILER_ID MATCHES "Clang") # whose -Wconversion includes this one, unlike that of g++
+  list(APPEND crossfield_warnings -Wno-sign-conversion)
 endif ()
 if (CROSSFIELD_WARNINGS_AS_ERRORS)
   list(APPEND crossfield_warnings -Werror)

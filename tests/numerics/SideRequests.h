@@ -31,8 +31,7 @@ inline SideRequest GradingOf(const std::string& side, const Progression& progres
   return request;
 }
 
-inline SideRequest LayerOf(
-  const std::string& side, double first, double growth = 1.2, int rows = 0)
+inline SideRequest LayerOf(const std::string& side, double first, double growth = 1.2, int rows = 0)
 {
   SideRequest request;
   request.side = side;

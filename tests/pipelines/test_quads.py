@@ -216,7 +216,10 @@ class Quads(ProgramTest):
         self.assertEqual(len(worst), 1)
         self.assertIn("at (-0.4", worst[0])
         self.assertIn(worst[0], result.stderr)
-        self.assertNotIn("warnings", self.report("builtin:disk", "-s", "four.csv"))
+        report = self.report("builtin:disk", "-s", "four.csv")
+        self.assertNotIn("warnings", report)
+        self.assertEqual([attempt["what"] for attempt in report["attempts"]], ["With the given singularities"])
+        self.assertTrue(report["attempts"][0]["outcome"].startswith("%d quads in " % report["quads"]))
 
     def test_a_count_is_reached(self):
         for count in (1000, 4000):

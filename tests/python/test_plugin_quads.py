@@ -254,6 +254,21 @@ def test_sides():
     check(edges()["outer0"] in (19, 20, 21), "the number of edges without rows")
 
 
+def test_quad_mesher_side_table():
+    """Quad Mesher reads what is prescribed for sides from a .csv file."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "sides.csv")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("Side,Count,Progression,LayerFirst\nouter0,18,,\nouter2,,2,\n")
+        table = CSVReader(FileName=[path])
+        mesher = QuadMesher(Input=PlanarDomainSource(DomainName="l-shape"), QuadSize=0.1, SideTable=table)
+        fetch(mesher)
+        data = servermanager.Fetch(mesher, idx=8).GetFieldData()
+        names, counts = data.GetAbstractArray("SideNames"), data.GetArray("SideEdges")
+        edges = {names.GetValue(i): counts.GetValue(i) for i in range(counts.GetNumberOfTuples())}
+        check_equal(edges["outer0"], 18, "the number of edges")
+
+
 def test_quad_mesher_outputs():
     """The singularities and corners that Quad Mesher used are outputs; another one makes the same
     mesh of them."""

@@ -189,11 +189,11 @@ TEST_F(QuadMesherPeriodic, PairsThatAreNotOfTheirFormAreRefused)
 {
   this->Filter->SetInputData(
     TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 2.0, 1.0 }) }));
-  for (const auto& [pairs, reason] :
-    std::map<std::string, std::string>{ { "outer0", "has no colon between a name and a value; give A:B" },
-      { "outer0:", "has no colon between a name and a value; give A:B" },
-      { "outer0:outer1", "are not images of each other" },
-      { "outer0:wall", "has no side 'wall' for a periodic pair" } })
+  for (const auto& [pairs, reason] : std::map<std::string, std::string>{
+         { "outer0", "has no colon between a name and a value; give A:B" },
+         { "outer0:", "has no colon between a name and a value; give A:B" },
+         { "outer0:outer1", "are not images of each other" },
+         { "outer0:wall", "has no side 'wall' for a periodic pair" } })
   {
     this->Filter->SetPeriodic(pairs);
     FilterChecks::CaptureError(this->Filter, { reason });

@@ -162,6 +162,86 @@ TEST(QuadMesherSides, EdgesAndBlocksHaveTheNamesOfLines)
   EXPECT_EQ(CountEdges(again).size(), 4U);
 }
 
+TEST(QuadMesherSides, ATablePrescribesWhatPropertiesDo)
+{
+  const auto domain = Rectangle();
+  domain->GetCellData()->AddArray(Names("Side"));
+  const auto byProperties = MesherOf(domain);
+  byProperties->AddSide("bottom", "19", "both:3", "");
+  byProperties->SetLayers("left:2e-3,1.3,12");
+  byProperties->SetPeriodic("top:bottom");
+  byProperties->SetCurves("right:line");
+  byProperties->Update();
+
+  const auto texts = [](const char* name, const std::array<const char*, 4>& values)
+  {
+    auto column = vtkSmartPointer<vtkStringArray>::New();
+    column->SetName(name);
+    for (const char* value : values)
+    {
+      column->InsertNextValue(value);
+    }
+    return column;
+  };
+  const auto numbers =
+    [](const char* name, vtkSmartPointer<vtkDataArray> column, const std::array<double, 4>& values)
+  {
+    column->SetName(name);
+    for (const double value : values)
+    {
+      column->InsertNextTuple1(value);
+    }
+    return column;
+  };
+  vtkNew<vtkTable> table;
+  table->AddColumn(texts("Side", { "bottom", "left", "top", "right" }));
+  table->AddColumn(numbers("Count", vtkSmartPointer<vtkIntArray>::New(), { 19, 0, 0, 0 }));
+  table->AddColumn(texts("Progression", { "both:3", "", "", "" }));
+  table->AddColumn(
+    numbers("LayerFirst", vtkSmartPointer<vtkDoubleArray>::New(), { std::nan(""), 2e-3, 0, 0 }));
+  table->AddColumn(texts("LayerGrowth", { "", "1.3", "", " " }));
+  table->AddColumn(numbers("LayerRows", vtkSmartPointer<vtkDoubleArray>::New(), { 0, 12, 0, 0 }));
+  table->AddColumn(texts("Partner", { "", "", "bottom", "" }));
+  table->AddColumn(texts("Curve", { "", "", "", "line" }));
+  const auto byTable = MesherOf(domain);
+  byTable->SetSideTableData(table);
+  byTable->Update();
+  EXPECT_EQ(CountEdges(byTable)["bottom"], 19);
+  EXPECT_EQ(CountEdges(byTable), CountEdges(byProperties));
+  ASSERT_GT(byTable->GetOutput()->GetNumberOfPoints(), 0);
+  ASSERT_EQ(
+    byTable->GetOutput()->GetNumberOfPoints(), byProperties->GetOutput()->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < byTable->GetOutput()->GetNumberOfPoints(); ++point)
+  {
+    std::array<double, 3> place;
+    byProperties->GetOutput()->GetPoint(point, place.data());
+    EXPECT_EQ(
+      vtkMath::Distance2BetweenPoints(place.data(), byTable->GetOutput()->GetPoint(point)), 0.0);
+  }
+
+  // What a table and a property prescribe for a side contradicts itself.
+  byTable->AddSide("bottom", "19", "", "");
+  FilterChecks::CaptureError(byTable, { "number of edges of side 'bottom' is prescribed twice" });
+  byTable->ClearSides();
+  table->AddColumn(texts("CornerRows", { "", "turnn", "", "" }));
+  table->Modified();
+  FilterChecks::CaptureError(byTable, { "'turnn' of side 'left' is not valid; give end, turn" });
+  table->RemoveColumnByName("CornerRows");
+  table->AddColumn(texts("Layers", { "", "", "", "" }));
+  FilterChecks::CaptureError(byTable, { "the column 'Layers', which is none of Side, Count, " });
+  table->RemoveColumnByName("Layers");
+  table->RemoveColumnByName("LayerFirst");
+  FilterChecks::CaptureError(byTable, { "layer of side 'left' has no height of the first row" });
+  table->RemoveColumnByName("Side");
+  FilterChecks::CaptureError(byTable, { "has no column Side" });
+  table->AddColumn(texts("Side", { "bottom", "", "top", "right" }));
+  FilterChecks::CaptureError(byTable, { "Row 1 of the table of sides has no name" });
+  const vtkNew<vtkTable> empty;
+  byTable->SetSideTableData(empty);
+  byTable->Update();
+  EXPECT_GT(byTable->GetOutput()->GetNumberOfCells(), 0);
+}
+
 TEST(QuadMesherSides, NamesMayBeIntegersOfAnotherArray)
 {
   const auto domain = Rectangle();

@@ -319,7 +319,8 @@ TEST(BoundaryLayers, ImpossiblePrescriptionsAreRefused)
     refuses({ LayerOf("outer0", 0.2) }, { "first height 0.2", "is not below the height 0.05" }));
   EXPECT_TRUE(
     refuses({ LayerOf("outer0", 1e-3, 1.2, 3) }, { "needs 14 rows", "but 3 are prescribed" }));
-  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-2, 1.2, 1000) }, { "at least 10 thick", "fewer rows" }));
+  EXPECT_TRUE(
+    refuses({ LayerOf("outer0", 1e-2, 1.2, 1000) }, { "at least 10 thick", "fewer rows" }));
   // Too few quads between two sides.
   QuadRequest narrow = SquareRequest(OnFourSides(1e-3, 1.05));
   narrow.quadSize = 0.25;

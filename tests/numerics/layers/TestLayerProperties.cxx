@@ -84,8 +84,7 @@ PlanarDomain RandomPart(Random& random, int number)
 
 /// Returns layers on some of the sides, at least one. Those of one loop, which may share rows, have
 /// the same height.
-std::vector<SideRequest> RandomLayers(
-  Random& random, const PlanarDomain& domain, double quadSize)
+std::vector<SideRequest> RandomLayers(Random& random, const PlanarDomain& domain, double quadSize)
 {
   std::vector<SideRequest> layers;
   const BoundarySides sides = NameSides(domain);
@@ -97,9 +96,8 @@ std::vector<SideRequest> RandomLayers(
     if (static_cast<int>(side) == forced || random.Integer(0, 2) == 0)
     {
       const std::string& name = sides.names[side];
-      const double first = name.find("outer") == 0
-        ? outer
-        : quadSize * std::pow(10.0, random.Uniform(-3.0, -1.0));
+      const double first =
+        name.find("outer") == 0 ? outer : quadSize * std::pow(10.0, random.Uniform(-3.0, -1.0));
       layers.push_back(LayerOf(name, first, growth));
     }
   }

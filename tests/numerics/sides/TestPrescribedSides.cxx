@@ -160,7 +160,8 @@ TEST(PrescribedSides, CountsThatCanBeMetAreMet)
     {
       if (random.Integer(0, 1) == 1)
       {
-        request.sideRequests.push_back(CountOf(request.sides.names[Index(side)], measures[Index(side)].edges));
+        request.sideRequests.push_back(
+          CountOf(request.sides.names[Index(side)], measures[Index(side)].edges));
       }
     }
     const QuadWorkflowResult result = MakeQuadMesh(domain, request);
@@ -315,8 +316,7 @@ TEST(PrescribedSides, SizesAtSidesHoldWithinTheTolerance)
     request.sideRequests = { one };
     const QuadWorkflowResult result = MakeQuadMesh(domain, request);
     EXPECT_EQ(result.quads.quality.inverted, 0);
-    for (const std::vector<double>& part :
-      PartsOf(result.quads.mesh, domain, request.sides, side))
+    for (const std::vector<double>& part : PartsOf(result.quads.mesh, domain, request.sides, side))
     {
       // no number of equal edges meets the size on a part shorter than this
       const double length = std::accumulate(part.begin(), part.end(), 0.0);

@@ -233,7 +233,8 @@ TEST(PeriodicQuads, MatchWithLayersAndNumbers)
     catch (const Error& error)
     {
       EXPECT_EQ(error.GetKind(), Error::Kind::LackOfRows) << error.what();
-      request.sideRequests.erase(request.sideRequests.begin()); // singularities are in the way, and not the pair
+      request.sideRequests.erase(
+        request.sideRequests.begin()); // singularities are in the way, and not the pair
       EXPECT_THROW(MakeQuadMesh(domain.domain, request), Error);
     }
   }
