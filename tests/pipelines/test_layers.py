@@ -95,7 +95,7 @@ class Layers(ProgramTest):
                 (("--layers", "wall:1e-3,1.2,4"), "but 4 are prescribed"),
                 (("--layers", "wall:1e-3", "--layers", "wall:1e-4"), "'wall' has two layers"),
                 (("--layers", "wall:1e-3,1.2,20", "--layers", "inlet:1e-3", "--corner", "0,1:turn"), "let them end"),
-                (("--corner", "4,1:follow"), "'follow' of side '4,1' is not valid; give end, turn or leave"),
+                (("--corner", "4,1:follow"), "What rows do at '4,1' is 'follow'; give end, turn or leave"),
                 (("--corner", "4,1"), "has no colon"),
                 (("--corner", "4,1:end"), "an angle of 270°, but rows can end only at less than 170°; let them turn"),
                 (("--corner", "4,0:leave"), "an angle of 90°"),

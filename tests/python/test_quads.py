@@ -87,7 +87,7 @@ class Quads(unittest.TestCase):
         self.assertNotIn("layers", turned.report)
         self.refused("no side 'wall'", shape, layers={"wall": 1e-3})
         self.refused("semicolon", shape, layers={"a;b": 1e-3})
-        self.refused("no word end, turn or leave", shape, corners={(1, 1): "stay"})
+        self.refused("give end, turn or leave", shape, corners={(1, 1): "stay"})
 
     def test_singularities_and_corners_used_are_outputs_of_the_filter(self):
         mesh = crossfield.quads("builtin:star", count=300, sizing="conformal")  # other sizes move the nodes

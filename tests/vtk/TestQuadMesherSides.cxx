@@ -167,8 +167,8 @@ TEST(QuadMesherSides, ATablePrescribesWhatPropertiesDo)
   const auto domain = Rectangle();
   domain->GetCellData()->AddArray(Names("Side"));
   const auto byProperties = MesherOf(domain);
-  byProperties->AddSide("bottom", "19", "both:3", "");
-  byProperties->SetLayers("left:2e-3,1.3,12");
+  byProperties->AddSide("right", "19", "both:3", "");
+  byProperties->SetLayers("left:2e-3,1.3,16");
   byProperties->SetPeriodic("top:bottom");
   byProperties->SetCurves("right:line");
   byProperties->Update();
@@ -195,18 +195,18 @@ TEST(QuadMesherSides, ATablePrescribesWhatPropertiesDo)
   };
   vtkNew<vtkTable> table;
   table->AddColumn(texts("Side", { "bottom", "left", "top", "right" }));
-  table->AddColumn(numbers("Count", vtkSmartPointer<vtkIntArray>::New(), { 19, 0, 0, 0 }));
-  table->AddColumn(texts("Progression", { "both:3", "", "", "" }));
+  table->AddColumn(numbers("Count", vtkSmartPointer<vtkIntArray>::New(), { 0, 0, 0, 19 }));
+  table->AddColumn(texts("Progression", { "", "", "", "both:3" }));
   table->AddColumn(
     numbers("LayerFirst", vtkSmartPointer<vtkDoubleArray>::New(), { std::nan(""), 2e-3, 0, 0 }));
   table->AddColumn(texts("LayerGrowth", { "", "1.3", "", " " }));
-  table->AddColumn(numbers("LayerRows", vtkSmartPointer<vtkDoubleArray>::New(), { 0, 12, 0, 0 }));
+  table->AddColumn(numbers("LayerRows", vtkSmartPointer<vtkDoubleArray>::New(), { 0, 16, 0, 0 }));
   table->AddColumn(texts("Partner", { "", "", "bottom", "" }));
   table->AddColumn(texts("Curve", { "", "", "", "line" }));
   const auto byTable = MesherOf(domain);
   byTable->SetSideTableData(table);
   byTable->Update();
-  EXPECT_EQ(CountEdges(byTable)["bottom"], 19);
+  EXPECT_EQ(CountEdges(byTable)["right"], 19);
   EXPECT_EQ(CountEdges(byTable), CountEdges(byProperties));
   ASSERT_GT(byTable->GetOutput()->GetNumberOfPoints(), 0);
   ASSERT_EQ(
@@ -220,12 +220,12 @@ TEST(QuadMesherSides, ATablePrescribesWhatPropertiesDo)
   }
 
   // What a table and a property prescribe for a side contradicts itself.
-  byTable->AddSide("bottom", "19", "", "");
-  FilterChecks::CaptureError(byTable, { "number of edges of side 'bottom' is prescribed twice" });
+  byTable->AddSide("right", "19", "", "");
+  FilterChecks::CaptureError(byTable, { "number of edges of side 'right' is prescribed twice" });
   byTable->ClearSides();
   table->AddColumn(texts("CornerRows", { "", "turnn", "", "" }));
   table->Modified();
-  FilterChecks::CaptureError(byTable, { "'turnn' of side 'left' is not valid; give end, turn" });
+  FilterChecks::CaptureError(byTable, { "What rows do at 'left' is 'turnn'; give end, turn" });
   table->RemoveColumnByName("CornerRows");
   table->AddColumn(texts("Layers", { "", "", "", "" }));
   FilterChecks::CaptureError(byTable, { "the column 'Layers', which is none of Side, Count, " });

@@ -171,7 +171,8 @@ public:
     const auto word = CornerWords.find(this->TheRow.cornerRows);
     if (word == CornerWords.end())
     {
-      this->Refuse(this->TheRow.cornerRows, "treatment of corners", "end, turn or leave");
+      throw Error("What rows do at '" + this->TheRow.side + "' is '" + this->TheRow.cornerRows +
+        "'; give end, turn or leave.");
     }
     crossfield::CornerRule rule;
     rule.rows = word->second;
