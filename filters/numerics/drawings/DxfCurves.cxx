@@ -160,7 +160,9 @@ AffineMap DxfEntityMap(const DxfObject& entity)
   constexpr double Rounding = 1e-6;
   const double x = entity.Number(210, 0.0);
   const double y = entity.Number(220, 0.0);
-  const double z = entity.Number(230, 1.0);
+  const double given = entity.Number(230, 1.0);
+  // The normal of a SPLINE is optional; some programs write 0, 0, 0.
+  const double z = entity.Type() == "SPLINE" && given == 0.0 ? 1.0 : given;
   if (std::abs(x) > Rounding || std::abs(y) > Rounding || z == 0.0)
   {
     throw Error("The plane of " + entity.Origin() +

@@ -26,6 +26,14 @@ public:
   /// Throws Error with the first place where the pieces do not form closed curves.
   void RequireClosed() const;
 
+  /// Returns whether ends are joined in pairs, as in closed curves.
+  bool IsClosed() const;
+  /// Returns the number of ends that are joined with an end, itself included.
+  std::size_t CountAt(const PieceEnd& end) const
+  {
+    return this->Members[this->GroupOf[2 * end.piece + (end.isLast ? 1 : 0)]].size();
+  }
+
   /// Returns whether a piece is not left out because it is shorter than the tolerance.
   bool IsUsed(std::size_t piece) const { return this->Used[piece]; }
   /// Returns the end that an end is joined to, if RequireClosed does not throw.
@@ -40,7 +48,6 @@ private:
 
   const Point& PlaceOf(Index end) const;
   bool IsOpen(Index end) const { return this->Members[this->GroupOf[end]].size() == 1; }
-  bool IsClosed() const;
   void JoinExactly();
   void JoinWithin(double tolerance);
   void Join(Index a, Index b);

@@ -4,12 +4,14 @@
 #include "EndJoints.h"
 #include "Error.h"
 #include "PieceSampling.h"
+#include "Segment.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace crossfield
 {
@@ -49,9 +51,10 @@ bool IsSame(const DrawingPiece& a, const DrawingPiece& b, double tolerance)
     (isOpposite && IsNear(quarter(a, 0.25), quarter(b, 0.75), tolerance));
 }
 
-/// Returns the indices of the pieces without those that are in the same place as an earlier one.
-std::vector<std::size_t> WithoutRepeated(
-  const std::vector<DrawingPiece>& pieces, double tolerance, std::vector<std::string>& warnings)
+/// Returns the indices of the pieces without those that are in the same place as an earlier one, which
+/// `hasCopy` marks.
+std::vector<std::size_t> WithoutRepeated(const std::vector<DrawingPiece>& pieces, double tolerance,
+  std::vector<bool>& hasCopy, std::vector<std::string>& warnings)
 {
   // Pieces not much longer than the tolerance would all be in the same place.
   constexpr double ShareOfLength = 0.01;
@@ -66,8 +69,10 @@ std::vector<std::size_t> WithoutRepeated(
     bool isRepeated = false;
     for (const std::size_t other : grid.Near(middle))
     {
-      isRepeated = isRepeated ||
-        (IsNear(MiddleOf(pieces[other]), middle, reach) && IsSame(pieces[other], pieces[i], reach));
+      const bool isSame =
+        IsNear(MiddleOf(pieces[other]), middle, reach) && IsSame(pieces[other], pieces[i], reach);
+      hasCopy[other] = hasCopy[other] || isSame;
+      isRepeated = isRepeated || isSame;
     }
     if (!isRepeated)
     {
@@ -86,6 +91,108 @@ std::vector<std::size_t> WithoutRepeated(
         : std::to_string(repeated) +
           " pieces of the drawing were left out because others are in the same place, the first is " +
           first + ".");
+  }
+  return used;
+}
+
+/// Returns whether a line lies on another line, or an arc on an arc or circle.
+bool LiesOn(const DrawingPiece& piece, const DrawingPiece& other, double tolerance)
+{
+  const auto at = [&piece](double part)
+  { return PointAt(piece, piece.begin + part * (piece.end - piece.begin)); };
+  if (piece.curve.kind != other.curve.kind)
+  {
+    return false;
+  }
+  if (piece.curve.kind == PlaneCurve::Kind::Line)
+  {
+    const auto isOn = [&](const Point& point)
+    { return OffsetFromSegment(point, other.first, other.last).norm() <= tolerance; };
+    return isOn(piece.first) && isOn(piece.last);
+  }
+  if (piece.curve.kind != PlaneCurve::Kind::Circle ||
+    !IsNear(piece.curve.centre, other.curve.centre, tolerance) ||
+    std::abs(piece.curve.axis.norm() - other.curve.axis.norm()) > tolerance)
+  {
+    return false;
+  }
+  const double radius = other.curve.axis.norm();
+  const auto isOn = [&](const Point& point)
+  {
+    const Point middle = PointAt(other, 0.5 * (other.begin + other.end));
+    const double angle = AngleBetween(middle - other.curve.centre, point - other.curve.centre);
+    return std::abs(angle) * radius <= 0.5 * std::abs(other.end - other.begin) * radius + tolerance;
+  };
+  return std::abs(piece.end - piece.begin) <= std::abs(other.end - other.begin) &&
+    isOn(piece.first) && isOn(at(0.5)) && isOn(piece.last);
+}
+
+/// Leaves out pieces that lie on longer ones, and ways there and back, at ends that are not joined in pairs,
+/// if the others are closed curves.
+std::vector<std::size_t> WithoutCovered(const std::vector<DrawingPiece>& pieces,
+  const std::vector<std::size_t>& given, const std::vector<bool>& hasCopy, double tolerance,
+  std::vector<std::string>& warnings)
+{
+  // Each of these pieces is compared with all others.
+  constexpr std::size_t MostComparisons = 100000000;
+  std::vector<std::size_t> used = given;
+  std::size_t covered = 0;
+  std::string first;
+  bool isClosed = false;
+  for (bool isChanged = true; isChanged;)
+  {
+    isChanged = false;
+    const EndJoints joints(pieces, used, tolerance);
+    isClosed = joints.IsClosed();
+    if (isClosed)
+    {
+      break;
+    }
+    std::vector<std::size_t> candidates;
+    for (const std::size_t piece : used)
+    {
+      const auto isFree = [&joints, piece](bool isLast) {
+        return joints.CountAt({ piece, isLast }) != 2;
+      };
+      if (isFree(false) || isFree(true))
+      {
+        candidates.push_back(piece);
+      }
+    }
+    if (candidates.size() * used.size() > MostComparisons)
+    {
+      break;
+    }
+    for (const std::size_t piece : candidates)
+    {
+      const bool isCovered = hasCopy[piece] ||
+        std::any_of(used.begin(), used.end(),
+          [&](std::size_t other)
+          {
+            return other != piece &&
+              ApproximateLength(pieces[other]) > ApproximateLength(pieces[piece]) &&
+              LiesOn(pieces[piece], pieces[other], tolerance);
+          });
+      if (isCovered)
+      {
+        first = covered == 0 ? pieces[piece].origin : first;
+        ++covered;
+        used.erase(std::find(used.begin(), used.end(), piece));
+        isChanged = true;
+        break; // others may be joined now
+      }
+    }
+  }
+  if (!isClosed)
+  {
+    return given;
+  }
+  if (covered > 0)
+  {
+    warnings.push_back(covered == 1
+        ? "A piece of the drawing that lies on another one was left out: " + first + "."
+        : std::to_string(covered) +
+          " pieces of the drawing that lie on others were left out, the first is " + first + ".");
   }
   return used;
 }
@@ -122,7 +229,9 @@ double DefaultJoinTolerance(const std::vector<DrawingPiece>& pieces)
 PieceChains ChainPieces(const std::vector<DrawingPiece>& pieces, double tolerance)
 {
   PieceChains result;
-  const std::vector<std::size_t> used = WithoutRepeated(pieces, tolerance, result.warnings);
+  std::vector<bool> hasCopy(pieces.size(), false);
+  std::vector<std::size_t> used = WithoutRepeated(pieces, tolerance, hasCopy, result.warnings);
+  used = WithoutCovered(pieces, std::move(used), hasCopy, tolerance, result.warnings);
   const EndJoints joints(pieces, used, tolerance);
   joints.RequireClosed();
   std::vector<bool> visited(pieces.size(), false);

@@ -32,7 +32,9 @@ double ExtentOf(const std::vector<DrawingPiece>& pieces);
 /// Chains loose pieces into closed curves.
 ///
 /// Of pieces that are in the same place within the tolerance only the first one is used, and a
-/// piece that is shorter than the tolerance and joins nothing is not used. Ends at exactly the same
+/// piece that is shorter than the tolerance and joins nothing is not used. At ends that are not joined
+/// in pairs, lines and arcs that lie on longer ones are not used, nor ways there and back, if the others
+/// are closed curves. Ends at exactly the same
 /// point belong together. Every other end is joined to the nearest such end within the tolerance;
 /// the pairs are made in order of their distance.
 ///

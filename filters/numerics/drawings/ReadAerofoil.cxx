@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -14,39 +15,83 @@ namespace crossfield
 {
 namespace
 {
-/// Reads the two numbers of a line.
-std::optional<Point> ReadPair(std::string_view line)
+/// Returns the numbers that a line consists of, separated by blanks or commas; none if it has a text.
+std::vector<double> NumbersOf(std::string_view line)
 {
-  const std::string_view pair = Trimmed(line);
-  const std::size_t blank = pair.find_first_of(" \t");
-  Point point = Point::Zero();
-  const bool isPair = blank != std::string_view::npos &&
-    ReadNumber(pair.substr(0, blank), point.x()) && ReadNumber(pair.substr(blank), point.y());
-  return isPair ? std::optional<Point>(point) : std::nullopt;
+  constexpr std::string_view Separators = " \t\r,;";
+  std::vector<double> numbers;
+  while (true)
+  {
+    line.remove_prefix(std::min(line.find_first_not_of(Separators), line.size()));
+    if (line.empty())
+    {
+      return numbers;
+    }
+    const std::size_t end = std::min(line.find_first_of(Separators), line.size());
+    double number = 0.0;
+    if (!ReadNumber(line.substr(0, end), number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+    line.remove_prefix(end);
+  }
 }
 
-/// Returns the points of all lines after the first; nothing if a line is not a point.
-std::optional<std::vector<Point>> ReadPoints(std::string_view text)
+/// The rows of numbers of a file, and how many lines are left out.
+struct Rows
 {
-  std::vector<Point> points;
+  std::vector<Point> points;   ///< The first two numbers of each row.
+  std::size_t texts = 0;       ///< Lines of text after the first line.
+  std::size_t otherRows = 0;   ///< Rows with another number of columns, such as the bounds of MSES.
+  std::size_t moreColumns = 0; ///< Columns after x and y.
+};
+
+/// Reads the lines after the first, which is a name; nothing if rows are divided by texts.
+std::optional<Rows> ReadRows(std::string_view text)
+{
+  std::vector<std::vector<double>> rows;
+  std::map<std::size_t, std::size_t> countOf; // rows by their number of columns
+  Rows result;
   bool isFirst = true;
+  bool isEnded = false;
   while (!text.empty())
   {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
+    const std::string_view line = Trimmed(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
-    const std::optional<Point> point = ReadPair(line);
-    if (point.has_value())
+    std::vector<double> numbers = NumbersOf(line);
+    if (isFirst || line.empty())
     {
-      points.push_back(*point);
+      isFirst = false;
     }
-    else if (!isFirst && !Trimmed(line).empty())
+    else if (numbers.size() < 2)
+    {
+      ++result.texts;
+      isEnded = !rows.empty();
+    }
+    else if (isEnded)
     {
       return std::nullopt;
     }
-    isFirst = false;
+    else
+    {
+      ++countOf[numbers.size()];
+      rows.push_back(std::move(numbers));
+    }
   }
-  return points;
+  const auto most = std::max_element(countOf.begin(), countOf.end(),
+    [](const auto& a, const auto& b) { return a.second < b.second; });
+  for (const std::vector<double>& row : rows)
+  {
+    if (row.size() == most->first)
+    {
+      result.points.emplace_back(row[0], row[1]);
+    }
+  }
+  result.otherRows = rows.size() - result.points.size();
+  result.moreColumns = most == countOf.end() ? 0 : most->first - 2;
+  return result;
 }
 
 /// Returns the points of Lednicer's format in Selig's order; nothing if the counts do not match.
@@ -94,48 +139,74 @@ bool IsAroundLeadingEdge(const std::vector<Point>& points)
     highest->y() - lowest->y() < Thickest * chord;
 }
 
-/// Returns the points from the trailing edge around the profile; nothing if it is no aerofoil.
-std::optional<std::vector<Point>> ProfileOf(std::string_view text)
+/// Reads a file; its points lead from the trailing edge around the profile. Nothing if it is no aerofoil.
+std::optional<Rows> ReadProfile(std::string_view text)
 {
-  const bool hasTitle = !ReadPair(text.substr(0, text.find('\n'))).has_value();
-  std::optional<std::vector<Point>> points = hasTitle ? ReadPoints(text) : std::nullopt;
-  if (!points.has_value())
+  const bool hasTitle = NumbersOf(text.substr(0, text.find('\n'))).size() < 2;
+  std::optional<Rows> rows = hasTitle ? ReadRows(text) : std::nullopt;
+  if (!rows)
   {
     return std::nullopt;
   }
-  if (const auto selig = FromLednicer(*points))
+  std::vector<Point>& points = rows->points;
+  if (const auto selig = FromLednicer(points))
   {
-    points = selig;
+    points = *selig;
   }
-  points->erase(std::unique(points->begin(), points->end()), points->end());
-  return IsAroundLeadingEdge(*points) ? points : std::nullopt;
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return IsAroundLeadingEdge(points) ? rows : std::nullopt;
+}
+
+/// Returns a sentence about the parts of a file that are left out; empty if there are none.
+std::string DescribeLeftOut(const Rows& rows, const std::string& file)
+{
+  std::string parts;
+  const auto add = [&parts](std::size_t count, const std::string& what)
+  {
+    if (count > 0)
+    {
+      parts += (parts.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+    }
+  };
+  add(rows.texts, rows.texts == 1 ? "line of text" : "lines of text");
+  add(rows.otherRows,
+    rows.otherRows == 1 ? "row with another number of columns"
+                        : "rows with another number of columns");
+  add(rows.moreColumns, rows.moreColumns == 1 ? "column after x and y" : "columns after x and y");
+  return parts.empty() ? "" : "Of the profile '" + file + "' were left out: " + parts + ".";
 }
 }
 
 bool IsAerofoil(std::string_view text)
 {
-  return ProfileOf(text).has_value();
+  return ReadProfile(text).has_value();
 }
 
 Drawing ReadAerofoil(std::string_view text, const std::string& file)
 {
-  std::optional<std::vector<Point>> points = ProfileOf(text);
-  if (!points.has_value())
+  const std::optional<Rows> rows = ReadProfile(text);
+  if (!rows)
   {
     throw Error("The file '" + file +
       "' is no aerofoil in Selig's or Lednicer's format; list a name, then x and y of its points.");
   }
-  const Point first = points->front();
-  const Point last = points->back();
-  const Point start = (*points)[1] - first;
-  const Point stop = last - (*points)[points->size() - 2];
+  const std::vector<Point>& points = rows->points;
+  const Point first = points.front();
+  const Point last = points.back();
+  const Point start = points[1] - first;
+  const Point stop = last - points[points.size() - 2];
   const bool isSmooth = first == last && std::abs(AngleBetween(stop, start)) < DefaultCornerAngle;
-  DrawingPiece profile = ThroughPoints(*points, isSmooth);
+  DrawingPiece profile = ThroughPoints(points, isSmooth);
   profile.origin = "the profile";
   Drawing drawing;
+  const std::string leftOut = DescribeLeftOut(*rows, file);
+  if (!leftOut.empty())
+  {
+    drawing.warnings.push_back(leftOut);
+  }
   drawing.pieces.push_back(profile);
   double chord = 0.0;
-  for (const Point& point : *points)
+  for (const Point& point : points)
   {
     chord = std::max(chord, (point - first).norm());
   }

@@ -44,6 +44,13 @@ public:
       this->Result.warnings.push_back(std::to_string(this->Others) + " geometries of '" +
         this->File + "' that are no polygons were left out.");
     }
+    if (this->SmallRings > 0)
+    {
+      this->Result.warnings.push_back(std::to_string(this->SmallRings) +
+        (this->SmallRings == 1 ? " ring of '" : " rings of '") + this->File +
+        "' with fewer than three places " + (this->SmallRings == 1 ? "was" : "were") +
+        " left out.");
+    }
     return std::move(this->Result);
   }
 
@@ -130,6 +137,11 @@ private:
       {
         points.pop_back();
       }
+      if (points.size() < 3 && ring > 0)
+      {
+        ++this->SmallRings;
+        continue;
+      }
       this->Require(points.size() >= 3, ring);
       for (std::size_t i = 0; i < points.size(); ++i)
       {
@@ -144,6 +156,7 @@ private:
   std::string File;
   std::vector<const Json*> Polygons;
   std::size_t Others = 0;
+  std::size_t SmallRings = 0;
   Drawing Result;
 };
 }

@@ -1,6 +1,7 @@
 #include "ReadSvg.h"
 
 #include "Error.h"
+#include "PieceSampling.h"
 #include "SvgPath.h"
 #include "SvgShapes.h"
 
@@ -77,6 +78,7 @@ private:
     AffineMap map = IdentityMap();
     std::string name;
     bool isDrawn = true;
+    bool isFilled = true; ///< As SVG does it without an attribute.
   };
 
   // An exception must not pass through Expat, which is C.
@@ -121,6 +123,7 @@ private:
     const bool isPrefixed = element != qualified && qualified.rfind("svg:", 0) != 0;
     level.isDrawn =
       level.isDrawn && notDrawn.count(element) == 0 && !isPrefixed && IsShown(attributes);
+    level.isFilled = IsFilled(attributes, level.isFilled);
     if (level.isDrawn)
     {
       this->Draw(element, attributes, level);
@@ -128,17 +131,59 @@ private:
     this->Levels.push_back(std::move(level));
   }
 
+  /// Returns an attribute without blanks; empty if it does not exist.
+  static std::string ValueOf(const SvgAttributes& attributes, const char* name)
+  {
+    const auto found = attributes.find(name);
+    std::string text = found == attributes.end() ? std::string() : found->second;
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    return text;
+  }
+
   static bool IsShown(const SvgAttributes& attributes)
   {
-    const auto value = [&attributes](const char* name)
+    return ValueOf(attributes, "display") != "none" &&
+      ValueOf(attributes, "visibility") != "hidden" &&
+      ValueOf(attributes, "style").find("display:none") == std::string::npos;
+  }
+
+  /// Returns whether an element is filled, which closes its curves. The rules of a class are not read: with
+  /// one an element counts as not filled.
+  static bool IsFilled(const SvgAttributes& attributes, bool isParentFilled)
+  {
+    const std::string style = ";" + ValueOf(attributes, "style");
+    const std::string fill = ValueOf(attributes, "fill");
+    if (style.find(";fill:") != std::string::npos)
     {
-      const auto found = attributes.find(name);
-      std::string text = found == attributes.end() ? std::string() : found->second;
-      text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
-      return text;
-    };
-    return value("display") != "none" && value("visibility") != "hidden" &&
-      value("style").find("display:none") == std::string::npos;
+      return style.find(";fill:none") == std::string::npos;
+    }
+    return fill.empty() ? isParentFilled && attributes.count("class") == 0 : fill != "none";
+  }
+
+  /// Adds the straight lines that close the curves of a filled shape of at least two pieces.
+  void Close(std::vector<DrawingPiece>& pieces)
+  {
+    // Smaller gaps are rounding errors, which the joints of ends close.
+    constexpr double SmallestGap = 1e-4;
+    std::vector<DrawingPiece> closed;
+    for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end)
+    {
+      double length = ApproximateLength(pieces[begin]);
+      for (end = begin + 1; end < pieces.size() && pieces[end].first == pieces[end - 1].last; ++end)
+      {
+        length += ApproximateLength(pieces[end]);
+      }
+      closed.insert(closed.end(), pieces.begin() + static_cast<std::ptrdiff_t>(begin),
+        pieces.begin() + static_cast<std::ptrdiff_t>(end));
+      const Point& first = pieces[begin].first;
+      const Point& last = pieces[end - 1].last;
+      if (end - begin > 1 && (last - first).norm() > SmallestGap * length)
+      {
+        closed.push_back(LinePiece(last, first));
+        ++this->Closed;
+      }
+    }
+    pieces = std::move(closed);
   }
 
   void Draw(const std::string& element, const SvgAttributes& attributes, Level& level)
@@ -195,7 +240,12 @@ private:
     const std::string origin = "the " + element + " of line " +
       std::to_string(LineNumber(this->Parser)) +
       (level.name.empty() ? "" : " ('" + level.name + "')");
-    for (DrawingPiece& piece : SvgShape(element, attributes))
+    std::vector<DrawingPiece> pieces = SvgShape(element, attributes);
+    if (level.isFilled)
+    {
+      this->Close(pieces);
+    }
+    for (DrawingPiece& piece : pieces)
     {
       piece.origin = origin;
       piece.name = level.name;
@@ -210,6 +260,13 @@ private:
     {
       throw Error(
         "The file '" + file + "' has no visible shapes; draw the boundary of the domain.");
+    }
+    if (this->Closed > 0)
+    {
+      this->Result.warnings.push_back(std::to_string(this->Closed) +
+        (this->Closed == 1 ? " filled curve of '" : " filled curves of '") + file +
+        "' without Z at the end " + (this->Closed == 1 ? "was" : "were") +
+        " closed by a straight line.");
     }
     std::string ignored;
     for (const auto& [element, count] : this->Ignored)
@@ -228,6 +285,7 @@ private:
   bool HasSvg = false;
   std::vector<Level> Levels;
   std::map<std::string, std::size_t> Ignored;
+  std::size_t Closed = 0; ///< Curves that their fill closes.
   Drawing Result;
 };
 }

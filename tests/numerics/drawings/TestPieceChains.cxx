@@ -150,6 +150,42 @@ TEST(PieceChains, LeaveOutRepeatedPieces)
   EXPECT_EQ(ChainPieces(halves, 1e-4).chains.at(0).size(), 2U);
 }
 
+TEST(PieceChains, LeaveOutPiecesThatLieOnOthers)
+{
+  const std::vector<std::vector<DrawingPiece>> covers = {
+    { LinePiece({ 0, 0 }, { 0.7, 0 }) },           // from a corner
+    { LinePiece({ 1.3, 0 }, { 0.7, 0 }) },         // between corners
+    { ArcPiece({ 1, 2 }, 1.0, 0.0, 60.0, "arc") }, // on an arc
+    { ArcPiece({ 1, 1 }, 0.5, 0, 180, "a"), ArcPiece({ 1, 1 }, 0.5, 180, 360, "b") }, // on a circle
+    { LinePiece({ 2, 0 }, { 3, 0 }), LinePiece({ 3, 0 }, { 4, 1 }), LinePiece({ 4, 1 }, { 3, 0 }),
+      LinePiece({ 3, 0 }, { 2, 0 }) }, // there and back
+  };
+  Random random(62);
+  for (const std::vector<DrawingPiece>& cover : covers)
+  {
+    std::vector<DrawingPiece> pieces = Part({ 0, 0 });
+    pieces.insert(pieces.end(), cover.begin(), cover.end());
+    for (int trial = 0; trial < 5; ++trial)
+    {
+      const DrawingOutline outline = Trace(Of(pieces));
+      EXPECT_EQ(outline.loops.size(), 2U);
+      EXPECT_NEAR(AreaOf(outline), PartArea, 3e-3);
+      ASSERT_FALSE(outline.warnings.empty());
+      EXPECT_NE(outline.warnings.back().find("lie"), std::string::npos);
+      random.Shuffle(pieces);
+    }
+  }
+  // Squares that share a part of a side are no drawing of one part: nothing is left out.
+  std::vector<DrawingPiece> pieces = Part({ 0, 0 });
+  for (const auto& [first, last] :
+    { std::pair(Point(2, 0), Point(3, 0)), std::pair(Point(3, 0), Point(3, 1)),
+      std::pair(Point(3, 1), Point(2, 1)), std::pair(Point(2, 1), Point(2, 0)) })
+  {
+    pieces.push_back(LinePiece(first, last));
+  }
+  EXPECT_TRUE(Refuses([&] { ChainPieces(pieces, 1e-4); }, { "More than two", "(2, 0)" }));
+}
+
 TEST(PieceChains, KeepShortSegmentsThatJoinExactly)
 {
   // A fine polygon: its segments are shorter than the tolerance.

@@ -4,6 +4,7 @@
 #include "Support.h"
 
 #include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <sstream>
 
@@ -117,6 +118,53 @@ TEST(ReadAerofoil, KeepsEveryPoint)
   }
 }
 
+/// Returns the lines of a text, changed.
+std::string Changed(const std::string& text, const std::function<std::string(std::string)>& change)
+{
+  std::istringstream lines(text);
+  std::string changed;
+  std::string line;
+  std::getline(lines, line);
+  changed = line + "\n";
+  while (std::getline(lines, line))
+  {
+    changed += change(line) + "\n";
+  }
+  return changed;
+}
+
+TEST(ReadAerofoil, LeavesOutWhatIsNoPointAndCountsIt)
+{
+  const std::string plain = Selig(30, true);
+  const DrawingPiece expected = ReadAerofoil(plain, "a.dat").pieces[0];
+  const std::size_t title = plain.find('\n') + 1;
+  const auto withComma = [](std::string line) { return line.replace(line.find("  ", 3), 2, ", "); };
+  const std::vector<std::pair<std::string, std::string>> files = {
+    { Changed(plain, withComma), "" },
+    { Changed(plain, [](const std::string& line) { return line + "\r"; }), "" },
+    { plain + "\nSource: a book\nCLmax 1.3\n", "2 lines of text." },
+    { plain.substr(0, title) + "by J. Doe 1931\n" + plain.substr(title), "1 line of text." },
+    { plain.substr(0, title) + " -2.0 3.0 -2.5 3.5\n" + plain.substr(title),
+      "1 row with another number of columns." },
+    { Changed(plain, [](const std::string& line) { return line + " 0.5 7"; }),
+      "2 columns after x and y." },
+  };
+  for (const auto& [text, leftOut] : files)
+  {
+    ASSERT_TRUE(IsAerofoil(text)) << text.substr(0, 200);
+    const Drawing drawing = ReadAerofoil(text, "a.dat");
+    ASSERT_EQ(drawing.pieces[0].curve.points.size(), expected.curve.points.size());
+    for (std::size_t i = 0; i < expected.curve.points.size(); ++i)
+    {
+      EXPECT_EQ(drawing.pieces[0].curve.points[i], expected.curve.points[i]);
+    }
+    ASSERT_EQ(drawing.warnings.size(), leftOut.empty() ? 0U : 1U);
+    EXPECT_TRUE(
+      leftOut.empty() || drawing.warnings[0] == "Of the profile 'a.dat' were left out: " + leftOut)
+      << drawing.warnings[0];
+  }
+}
+
 TEST(ReadAerofoil, DoesNotClaimOtherLists)
 {
   EXPECT_TRUE(IsAerofoil(Selig(20, false)));
@@ -124,7 +172,7 @@ TEST(ReadAerofoil, DoesNotClaimOtherLists)
   EXPECT_FALSE(IsAerofoil(Selig(20, false).substr(10))); // no name
   EXPECT_FALSE(IsAerofoil("disk\n" + Rows(RegularPolygon(64))));
   EXPECT_FALSE(IsAerofoil("two\n" + Rows(RegularPolygon(9)) + "\n\n" + Rows(RegularPolygon(9))));
-  EXPECT_FALSE(IsAerofoil(Selig(20, false) + "words\n"));
+  EXPECT_FALSE(IsAerofoil(Selig(20, false) + "words\n" + Rows(RegularPolygon(9))));
   EXPECT_FALSE(IsAerofoil(""));
   EXPECT_TRUE(Refuses([] { ReadAerofoil("x\n0 0\n", "a.dat"); }, { "'a.dat'", "Selig" }));
 }

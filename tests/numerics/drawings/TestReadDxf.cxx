@@ -157,6 +157,10 @@ TEST(ReadDxf, ReflectsEntitiesSeenFromBelow)
   EXPECT_EQ(drawing.pieces[3].first, Point(5, 0));
   EXPECT_TRUE(
     Refuses([] { Read({ "ARC 10 0 20 0 40 1 50 0 51 90 210 1 230 0" }); }, { "not parallel" }));
+  // Some programs write no normal of splines.
+  EXPECT_EQ(Read({ "SPLINE 70 8 71 1 210 0 220 0 230 0 40 0 40 0 40 1 40 1 10 0 20 0 10 3 20 1" })
+              .pieces.size(),
+    1U);
 }
 
 TEST(ReadDxf, LeavesOutWhatIsNotDrawn)

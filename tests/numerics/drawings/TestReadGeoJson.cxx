@@ -38,6 +38,20 @@ TEST(ReadGeoJson, OtherGeometriesAndSystemsAreReported)
   EXPECT_NE(drawing.warnings[0].find("1 geometries"), std::string::npos);
 }
 
+TEST(ReadGeoJson, LeavesOutSpikesAndRingsWithoutArea)
+{
+  const Drawing drawing = ReadGeoJson(
+    R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[5,0],[6,0],[5,0],[4,0],[4,3],[0,3],[0,0]],[[1,1],[2,2],[1,1]],[[3,1],[3,1]]]})",
+    "lake.geojson");
+  ASSERT_EQ(drawing.warnings.size(), 1U);
+  EXPECT_EQ(
+    drawing.warnings[0].find("2 rings of 'lake.geojson' with fewer than three places were"), 0U);
+  const DrawingOutline outline = Trace(drawing);
+  EXPECT_EQ(outline.loops.size(), 1U);
+  EXPECT_EQ(AreaOf(outline), 12.0);
+  EXPECT_EQ(outline.warnings.size(), 3U); // two copies, and two ways there and back
+}
+
 TEST(ReadGeoJson, RefusesOtherFiles)
 {
   const auto refuses = [](const std::string& text, const std::string& part)

@@ -139,6 +139,31 @@ TEST(ReadSvg, LeavesOutWhatIsNoShape)
   EXPECT_NE(drawing.warnings[0].find("1 text, 1 use"), std::string::npos) << drawing.warnings[0];
 }
 
+TEST(ReadSvg, FilledCurvesAreClosed)
+{
+  const std::string open = "d='M0 0 H4 V3 H0 M1 1 V2 H2'";
+  for (const std::string& body : std::vector<std::string>{ "<path " + open + "/>",
+         "<g fill='none'><path style='stroke:red; fill: blue' " + open + "/></g>",
+         "<polyline points='0 0 4 0 4 3 0 3'/><polyline points='1 1 1 2 2 2'/>" })
+  {
+    const Drawing drawing = Read(body);
+    ASSERT_EQ(drawing.warnings.size(), 1U) << body;
+    EXPECT_EQ(drawing.warnings[0],
+      "2 filled curves of 'part.svg' without Z at the end were closed by a straight line.");
+    EXPECT_NEAR(AreaOf(Trace(drawing)), 11.5, 1e-12);
+  }
+  for (const std::string& body : std::vector<std::string>{ "<path fill='none' " + open + "/>",
+         "<g style='fill:none'><path " + open + "/></g>", "<path class='a' " + open + "/>",
+         "<line x2='3'/><path d='M0 0 h3'/>" })
+  {
+    EXPECT_TRUE(Read(body).warnings.empty()) << body;
+  }
+  // A part without area.
+  const DrawingOutline outline = Trace(Read("<path d='M0 0h4v3h-4zM1 1l.08.06z'/>"));
+  EXPECT_EQ(outline.loops.size(), 1U);
+  EXPECT_FALSE(outline.warnings.empty());
+}
+
 TEST(ReadSvg, RefusesWhatIsNotValid)
 {
   const auto refuses = [](const std::string& body, const std::string& part)
