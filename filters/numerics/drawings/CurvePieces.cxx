@@ -182,8 +182,8 @@ std::vector<DrawingPiece> SplitAtKinks(const DrawingPiece& piece)
       ++end;
     }
     // The curve passes through a control point at a knot of full multiplicity.
-    const bool isFull = end - i >= degree && end < count &&
-      knot - curve.knots[degree] > tolerance && curve.knots[count] - knot > tolerance;
+    const bool isFull = end - i >= degree && knot - curve.knots[degree] > tolerance &&
+      curve.knots[count] - knot > tolerance;
     const std::size_t next = end - degree - 1;
     const bool turns = isFull &&
       (degree == 1 || next == i ||
