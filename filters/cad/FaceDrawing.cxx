@@ -94,7 +94,7 @@ public:
     this->Axes.row(1) = plane.DirectionToSpace({ 0.0, 1.0 }).transpose();
   }
 
-  DrawingPiece Convert(const TopoDS_Edge& edge, const std::string& origin) const
+  std::vector<DrawingPiece> Convert(const TopoDS_Edge& edge, const std::string& origin) const
   {
     const BRepAdaptor_Curve curve(edge);
     const double begin = curve.FirstParameter();
@@ -102,18 +102,19 @@ public:
     switch (curve.GetType())
     {
     case GeomAbs_Line:
-      return crossfield::LinePiece(
-        this->At(curve.Value(begin).XYZ()), this->At(curve.Value(end).XYZ()));
+      return { crossfield::LinePiece(
+        this->At(curve.Value(begin).XYZ()), this->At(curve.Value(end).XYZ())) };
     case GeomAbs_Circle:
     {
       const gp_Circ circle = curve.Circle();
-      return this->Conic(circle.Position(), circle.Radius(), circle.Radius(), begin, end, origin);
+      return { this->Conic(
+        circle.Position(), circle.Radius(), circle.Radius(), begin, end, origin) };
     }
     case GeomAbs_Ellipse:
     {
       const gp_Elips ellipse = curve.Ellipse();
-      return this->Conic(
-        ellipse.Position(), ellipse.MajorRadius(), ellipse.MinorRadius(), begin, end, origin);
+      return { this->Conic(
+        ellipse.Position(), ellipse.MajorRadius(), ellipse.MinorRadius(), begin, end, origin) };
     }
     default:
       return this->Spline(edge, origin);
@@ -134,7 +135,7 @@ private:
       this->At(axes.Location().XYZ()), axis, minor / major, sign * begin, sign * end, origin);
   }
 
-  DrawingPiece Spline(const TopoDS_Edge& edge, const std::string& origin) const
+  std::vector<DrawingPiece> Spline(const TopoDS_Edge& edge, const std::string& origin) const
   {
     double begin = 0.0;
     double end = 0.0;
@@ -157,8 +158,8 @@ private:
       points.push_back(this->At(spline->Pole(i).XYZ()));
       weights.push_back(spline->Weight(i));
     }
-    return crossfield::NurbsPiece(
-      spline->Degree(), std::move(knots), std::move(points), std::move(weights), origin);
+    return crossfield::SplitAtKinks(crossfield::NurbsPiece(
+      spline->Degree(), std::move(knots), std::move(points), std::move(weights), origin));
   }
 
   const DomainPlane& Plane;
@@ -216,12 +217,15 @@ crossfield::Drawing DrawLargestFace(const ModelFile& model)
   drawing.unit = model.Unit();
   drawing.plane = PlaneOf(edges);
   const EdgeConversion conversion(drawing.plane);
-  for (const TopoDS_Edge& edge : edges)
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    const std::string origin = "edge " + std::to_string(drawing.pieces.size() + 1) + " of the face";
-    drawing.pieces.push_back(conversion.Convert(edge, origin));
-    drawing.pieces.back().name = crossfield::ToUtf8(model.NameOf(edge));
-    drawing.pieces.back().origin = origin;
+    const std::string origin = "edge " + std::to_string(i + 1) + " of the face";
+    for (DrawingPiece& piece : conversion.Convert(edges[i], origin))
+    {
+      piece.name = crossfield::ToUtf8(model.NameOf(edges[i]));
+      piece.origin = origin;
+      drawing.pieces.push_back(std::move(piece));
+    }
   }
   if (count > 1)
   {

@@ -1,6 +1,5 @@
 #include "AutomaticConfiguration.h"
 
-#include "ConfigurationSymmetry.h"
 #include "DrillHoles.h"
 #include "MeshBudget.h"
 #include "OptimizerReport.h"
@@ -161,7 +160,9 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   {
     fit.sizes.sizing = Sizing::Uniform;
   }
+  const std::size_t before = result.optimum.solves;
   result.optimum = OptimizeSingularities(domain, result.singularities, fit, progress);
+  result.optimum.solves += before;
   result.singularities = result.optimum.configuration;
   AddEvents(result);
   if (fit.sizes.sizing != Sizing::Field && fit.pairs == 0 &&
@@ -172,14 +173,6 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
       FormatShort(result.optimum.sizeSpread) +
       "; pairs of singularities (Pairs, --pairs) may make them more uniform.");
   }
-}
-
-/// Moves singularities to symmetric positions where these are less than a quarter of a quad away: the
-/// energy is flat there, and the error of the mesh decides on which side of the symmetric position
-/// its minimum is.
-void MakeSymmetric(const PlanarDomain& domain, double quadSize, Configuration& singularities)
-{
-  MatchSymmetry(singularities, FindSymmetries(domain), 0.25 * quadSize).Project(singularities);
 }
 }
 
@@ -261,13 +254,17 @@ AutomaticConfiguration ChooseConfiguration(
       break;
     }
   }
+  best.optimum.solves = solves;
   if (fits && !best.optimum.aborted)
   {
     FitToQuads(domain, options, clearance, progress.Part(0.8, 1.0), best);
   }
   if (options.proposal.given.empty())
   {
-    MakeSymmetric(domain, ResolveQuadSize(domain, options), best.singularities);
+    // The energy is flat within a quarter of a quad, and the error of the mesh decides on which side
+    // of the symmetric position its minimum is.
+    MakeSymmetric(
+      domain, FindSymmetries(domain), 0.25 * ResolveQuadSize(domain, options), best.singularities);
   }
   return best;
 }

@@ -23,7 +23,7 @@ struct AutomaticOptions
   double acceptedSpread = 0.25;
   /// Maximum number of solves (SolveBudget.h) of the runs from all starts together, 0 for any
   /// number. The run that follows for quads may take half as many.
-  std::size_t maximumSolves = 3000;
+  std::size_t maximumSolves = 2000;
 };
 
 /// Returns the recommended clearance of singularities for quads of a size: 0.7 of it

@@ -1,5 +1,6 @@
 #include "ConfigurationProposal.h"
 
+#include "BoundaryCorners.h"
 #include "ConfigurationEnergy.h"
 #include "ConfigurationStarts.h"
 #include "ConfigurationSymmetry.h"
@@ -68,11 +69,9 @@ public:
     {
       // The position of a singularity in the field is known to an edge of its mesh, usually a
       // seventieth of the diagonal.
-      const ConfigurationSymmetry symmetry =
-        MatchSymmetry(proposal.singularities, this->Symmetries, 0.02 * this->Domain.Diagonal());
-      if (!symmetry.IsTrivial())
+      if (MakeSymmetric(
+            this->Domain, this->Symmetries, 0.02 * this->Domain.Diagonal(), proposal.singularities))
       {
-        symmetry.Project(proposal.singularities);
         const auto symmetric = this->Prepare(proposal, 0, progress.Part(0.8, 1.0));
         highestStart = std::max(highestStart, symmetric->StartEnergy());
         trial = Run(*symmetric, maximumStart, progress.Part(0.8, 1.0));
@@ -246,6 +245,29 @@ bool AreEqual(const Configuration& a, Configuration b, double distance)
   }
   return b.empty();
 }
+}
+
+bool MakeSymmetric(const PlanarDomain& domain, const SymmetryGroup& symmetries, double distance,
+  Configuration& singularities)
+{
+  const ConfigurationSymmetry symmetry = MatchSymmetry(singularities, symmetries, distance);
+  if (symmetry.IsTrivial())
+  {
+    return false;
+  }
+  Configuration moved = singularities;
+  symmetry.Project(moved);
+  const double reach = BoundaryReach * domain.Diagonal();
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    if (SignedDistance(moved[i].position, domain) <= reach &&
+      SignedDistance(singularities[i].position, domain) > reach)
+    {
+      return false;
+    }
+  }
+  singularities = std::move(moved);
+  return true;
 }
 
 double LogarithmCoefficient(const PlanarDomain& domain, const Configuration& configuration,

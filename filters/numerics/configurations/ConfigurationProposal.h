@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundarySymmetry.h"
 #include "Progress.h"
 #include "ProposedConfiguration.h"
 
@@ -23,6 +24,12 @@ namespace crossfield
 /// space, or as OptimizeSingularities does.
 std::vector<ProposedConfiguration> ProposeConfigurations(
   const PlanarDomain& domain, const ProposalOptions& options = {}, const Progress& progress = {});
+
+/// Moves singularities to positions that are symmetric, if these are within a distance for some symmetries
+/// of the domain. Returns false and moves nothing if there are none, or if a singularity would leave the
+/// domain, as on the axis of a narrow neck.
+bool MakeSymmetric(const PlanarDomain& domain, const SymmetryGroup& symmetries, double distance,
+  Configuration& singularities);
 
 /// Returns Σ π k² over singularities + 16 Σ e(α, k) over corners (CornerEnergy.h), the coefficient
 /// of log(1/ρ) in the energy of an aligned field (docs/method.md §5.3, §6.4).

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace crossfield
@@ -136,6 +137,80 @@ DrawingPiece NurbsPiece(int degree, std::vector<double> knots, std::vector<Point
   piece.first = startsAtPoint ? curve.points.front() : piece.first;
   piece.last = endsAtPoint ? curve.points.back() : piece.last;
   return piece;
+}
+
+std::vector<DrawingPiece> SplitAtKinks(const DrawingPiece& piece)
+{
+  // Knots that differ by less are one knot.
+  constexpr double SameKnot = 1e-9;
+  // Directions that differ by less are those of a smooth curve with rounded control points.
+  constexpr double SmallestTurn = 1e-3;
+  const PlaneCurve& curve = piece.curve;
+  const auto degree = static_cast<std::size_t>(curve.degree);
+  const std::size_t count = curve.points.size();
+  const double tolerance = SameKnot * (curve.knots[count] - curve.knots[degree]);
+  std::vector<DrawingPiece> parts;
+  std::vector<double> knots(
+    curve.knots.begin(), curve.knots.begin() + static_cast<std::ptrdiff_t>(degree) + 1);
+  std::size_t firstPoint = 0;
+  const auto add = [&](std::size_t endPoint)
+  {
+    const auto slice = [&](const auto& values)
+    {
+      using Values = std::decay_t<decltype(values)>;
+      return Values(values.begin() + static_cast<std::ptrdiff_t>(firstPoint),
+        values.begin() + static_cast<std::ptrdiff_t>(endPoint));
+    };
+    std::vector<Point> points = slice(curve.points);
+    if (degree > 1)
+    {
+      parts.push_back(
+        NurbsPiece(curve.degree, knots, std::move(points), slice(curve.weights), piece.origin));
+    }
+    else if (points.front() != points.back())
+    {
+      parts.push_back(LinePiece(points.front(), points.back()));
+      parts.back().origin = piece.origin;
+    }
+  };
+  for (std::size_t i = degree + 1; i < count;)
+  {
+    const double knot = curve.knots[i];
+    std::size_t end = i;
+    while (end < count && curve.knots[end] - knot <= tolerance)
+    {
+      ++end;
+    }
+    // The curve passes through a control point at a knot of full multiplicity.
+    const bool isFull = end - i >= degree && knot - curve.knots[degree] > tolerance &&
+      curve.knots[count] - knot > tolerance;
+    const std::size_t next = end - degree - 1;
+    const bool turns = isFull &&
+      (degree == 1 || next == i ||
+        std::abs(AngleBetween(curve.points[i - 1] - curve.points[i - 2],
+          curve.points[next + 1] - curve.points[next])) > SmallestTurn);
+    if (turns)
+    {
+      knots.insert(knots.end(), degree + 1, knot);
+      add(i);
+      knots.assign(degree + 1, knot);
+      firstPoint = next;
+    }
+    else
+    {
+      knots.insert(knots.end(), curve.knots.begin() + static_cast<std::ptrdiff_t>(i),
+        curve.knots.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    i = end;
+  }
+  if (parts.empty() && degree > 1)
+  {
+    return { piece };
+  }
+  knots.insert(
+    knots.end(), curve.knots.begin() + static_cast<std::ptrdiff_t>(count), curve.knots.end());
+  add(count);
+  return parts;
 }
 
 DrawingPiece BezierPiece(std::vector<Point> points)

@@ -28,6 +28,10 @@ DrawingPiece EllipsePiece(const Point& centre, const Point& axis, double ratio, 
 DrawingPiece NurbsPiece(int degree, std::vector<double> knots, std::vector<Point> points,
   std::vector<double> weights, const std::string& origin);
 
+/// Returns the parts of a NURBS curve between its kinks, which are knots of full multiplicity where it
+/// turns. The parts of a curve of degree 1 are lines.
+std::vector<DrawingPiece> SplitAtKinks(const DrawingPiece& piece);
+
 /// Returns a Bézier curve.
 DrawingPiece BezierPiece(std::vector<Point> points);
 }

@@ -70,7 +70,7 @@ std::vector<BulgeVertex> HeavyVertices(const std::vector<DxfObject>& objects)
   return vertices;
 }
 
-DrawingPiece Spline(const DxfObject& entity)
+std::vector<DrawingPiece> Spline(const DxfObject& entity)
 {
   std::vector<Point> control = entity.Places(10);
   if (control.empty())
@@ -96,11 +96,10 @@ DrawingPiece Spline(const DxfObject& entity)
     {
       tangents.last = entity.Place(13);
     }
-    return ThroughPoints(through, isPeriodic, tangents);
+    return { ThroughPoints(through, isPeriodic, tangents) };
   }
-  DrawingPiece piece = NurbsPiece(entity.Integer(71, 3), entity.Numbers(40), std::move(control),
-    entity.Numbers(41), entity.Origin());
-  return piece;
+  return SplitAtKinks(NurbsPiece(entity.Integer(71, 3), entity.Numbers(40), std::move(control),
+    entity.Numbers(41), entity.Origin()));
 }
 
 void AddPieces(const DxfObject& entity, const std::vector<DxfObject>& vertices,
@@ -135,7 +134,7 @@ void AddPieces(const DxfObject& entity, const std::vector<DxfObject>& vertices,
   }
   else if (type == "SPLINE")
   {
-    pieces.push_back(Spline(entity));
+    pieces = Spline(entity);
   }
   else
   {

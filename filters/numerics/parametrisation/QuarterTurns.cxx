@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace crossfield
@@ -35,6 +37,9 @@ std::vector<Eigen::VectorXi> Neighbours(Eigen::Index count)
   }
   return changes;
 }
+
+/// A gain below this part does not pay for another layout.
+constexpr double Gain = 0.02;
 }
 
 double LeastStrain(
@@ -67,12 +72,52 @@ double LeastStrain(
   return strain;
 }
 
+namespace
+{
+/// Turns those of many loops with the largest defects, one after the other, as far as that reduces the strain.
+/// At most `count` are tried.
+Eigen::VectorXi TurnLargestDefects(const DifferentialSample& sample, const Eigen::VectorXd& defects,
+  std::size_t count, const Progress& progress)
+{
+  std::vector<Eigen::Index> loops(static_cast<std::size_t>(defects.size()));
+  std::iota(loops.begin(), loops.end(), 0);
+  std::stable_sort(loops.begin(), loops.end(),
+    [&](Eigen::Index a, Eigen::Index b) { return std::abs(defects[a]) > std::abs(defects[b]); });
+  loops.resize(std::min(loops.size(), count));
+  Eigen::VectorXi turns = Eigen::VectorXi::Zero(defects.size());
+  Eigen::VectorXd coefficients;
+  double least = LeastStrain(sample, defects, coefficients);
+  for (const Eigen::Index loop : loops)
+  {
+    progress.Report(0.0);
+    Eigen::VectorXi next = turns;
+    next[loop] += defects[loop] > 0.0 ? 1 : -1;
+    Eigen::VectorXd candidate = coefficients;
+    const double strain = LeastStrain(sample, defects - 0.5 * Pi * next.cast<double>(), candidate);
+    if (strain < (1.0 - Gain) * least)
+    {
+      least = strain;
+      turns = next;
+      coefficients = candidate;
+    }
+  }
+  return turns;
+}
+}
+
 Eigen::VectorXi ChooseQuarterTurns(
   const DifferentialSample& sample, const Eigen::VectorXd& defects, const Progress& progress)
 {
+  // Entries of Gram matrices and of their factors, for a few seconds.
+  constexpr double MaximumWork = 6e8;
+  const auto count = static_cast<double>(defects.size());
+  const double affordable =
+    MaximumWork / (count * count * (static_cast<double>(sample.areas.size()) + count));
+  if (2.0 * count * count > affordable) // the number of changes
+  {
+    return TurnLargestDefects(sample, defects, static_cast<std::size_t>(affordable), progress);
+  }
   const std::vector<Eigen::VectorXi> changes = Neighbours(defects.size());
-  // A gain below this part does not pay for another layout.
-  constexpr double Gain = 0.02;
   Eigen::VectorXi turns = Eigen::VectorXi::Zero(defects.size());
   Eigen::VectorXd coefficients;
   double least = LeastStrain(sample, defects, coefficients);

@@ -14,7 +14,8 @@ double LeastStrain(
 
 /// Chooses the quarter turns of all inner loops together: whole numbers n for which the least strain
 /// that turns the loops by r − n π/2 is small, a closest vector problem. Starts with n = 0 and
-/// changes one or two of them by ±1 while the strain falls. Many loops take seconds: `progress` may
+/// changes one or two of them by ±1 while the strain falls. Of many loops, only those with the largest
+/// defects are changed, each once, so that the work is bounded. Many loops take seconds: `progress` may
 /// request an abort at each change, and always receives 0.
 Eigen::VectorXi ChooseQuarterTurns(
   const DifferentialSample& sample, const Eigen::VectorXd& defects, const Progress& progress = {});

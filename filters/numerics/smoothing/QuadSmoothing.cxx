@@ -31,6 +31,20 @@ constexpr DescentLimits Alone = { 120, 0.0, 1e-7 };
 /// the energy above the ideal value.
 constexpr DescentLimits BesideCoarser = { 5, 1e-2, 1e-7 };
 
+/// Maximum number of steps that untangle quads for one ε.
+constexpr int StepsOfRound = 100;
+
+/// Returns the maximum number of steps that untangle the quads of an energy. Quads that can be untangled
+/// took at most 200 steps in all examples. The steps of large meshes are limited to two seconds.
+int MaximumUntangling(const QuadEnergy& energy)
+{
+  constexpr Eigen::Index MaximumSteps = 2000;
+  constexpr Eigen::Index Work = 5000000; // unknowns, two of each point, times steps
+  const Eigen::Index unknowns = std::max<Eigen::Index>(energy.Curvature().size(), 1);
+  return std::clamp(
+    static_cast<int>(std::min(MaximumSteps, Work / unknowns)), StepsOfRound, int(MaximumSteps));
+}
+
 /// A mesh of the hierarchy with its weights and lattices.
 struct Level
 {
@@ -163,13 +177,14 @@ private:
   {
     // χ decreases by a tenth at least per round: to 2e-3 of its start in all.
     constexpr int Rounds = 60;
-    constexpr DescentLimits limits = { 100, 0.0, 1e-6 };
     constexpr double SmallestDecrease = 0.1;
+    const int maximumSteps = MaximumUntangling(energy);
     int steps = 0;
     double minimum = energy.MinimumDeterminant(unknowns);
     double epsilon = std::sqrt(1e-4 + 0.25 * minimum * minimum);
-    for (int round = 0; round < Rounds && minimum <= 0.0; ++round)
+    for (int round = 0; round < Rounds && minimum <= 0.0 && steps < maximumSteps; ++round)
     {
+      const DescentLimits limits = { std::min(StepsOfRound, maximumSteps - steps), 0.0, 1e-6 };
       const double before = energy.Value(unknowns, epsilon, nullptr);
       steps += descent.Descend(epsilon, limits, unknowns, progress);
       minimum = energy.MinimumDeterminant(unknowns);

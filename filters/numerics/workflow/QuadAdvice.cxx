@@ -126,18 +126,24 @@ std::string CountInverted(const QuadQuality& quality)
     Describe(quality.where);
 }
 
-std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller)
+std::string DescribeInverted(
+  const QuadQuality& quality, const std::optional<SmallerSize>& smaller, bool singularitiesAreGiven)
 {
   std::ostringstream text;
   text << CountInverted(quality);
   if (smaller)
   {
-    text << "; use a smaller size: with " << smaller->size << ", " << smaller->quads
-         << " quads, none is inverted.";
+    text << "; use a smaller size"
+         << (smaller->keepsSingularities
+                ? " and the same singularities (--save-singularities, then -s): with "
+                : ": with ")
+         << smaller->size << ", " << smaller->quads << " quads, none is inverted.";
   }
   else
   {
-    text << ", and smaller sizes do not help; choose other positions for the singularities nearby.";
+    text << ", and smaller sizes do not help"
+         << (singularitiesAreGiven ? "; choose other positions for the singularities nearby."
+                                   : ".");
   }
   return text.str();
 }

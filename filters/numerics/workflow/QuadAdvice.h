@@ -18,6 +18,8 @@ struct SmallerSize
 {
   double size = 0.0;
   std::size_t quads = 0;
+  bool keepsSingularities =
+    false; ///< With the chosen singularities; otherwise they are chosen again.
 };
 
 /// Throws Error if an interior singularity has a quarter index above 2, for which there is no node.
@@ -48,8 +50,9 @@ double FindSmoothing(const PlanarDomain& domain, const std::vector<Point>& kept,
 std::string CountInverted(const QuadQuality& quality);
 
 /// Returns a sentence about inverted quads. The remedy is a size with which there are none, if one
-/// was found.
-std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller);
+/// was found, otherwise other positions of given singularities.
+std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller,
+  bool singularitiesAreGiven);
 
 /// Returns the clause that offers a repair of the holonomy that was found to work.
 std::string RepairAdvice(const HolonomyRepair& repair);

@@ -9,8 +9,10 @@
 #include "QuadAdvice.h"
 #include "QuadAttempts.h"
 #include "QuadBudget.h"
+#include "SharpTips.h"
 #include "SideSizes.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,6 +20,13 @@ namespace crossfield
 {
 namespace
 {
+/// Returns whether the choice of the singularities was so slow that it is not repeated for advice.
+bool IsChoiceSlow(const QuadWorkflowResult& result)
+{
+  constexpr std::size_t SlowSolves = 600; // five seconds on a mesh of usual size
+  return result.optimum && result.optimum->solves > SlowSolves;
+}
+
 /// Adds warnings about the choice, the number of quads and nearly degenerate quads.
 void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
 {
@@ -37,20 +46,80 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
     result.warnings.push_back(worst);
   }
 }
+
+/// A domain and a request with everything that attempts need.
+struct PreparedRequest
+{
+  PlanarDomain polygons;
+  PlanarDomain domain; ///< With curves sampled.
+  ResolvedRequest given;   ///< With periodic sides.
+  ResolvedRequest request; ///< With sizes of sides as well.
+};
+
+PreparedRequest Prepare(const PlanarDomain& polygons, const QuadRequest& requested)
+{
+  const ResolvedRequest resolved = Resolve(polygons, requested);
+  RequireQuadBudget(polygons, resolved);
+  CurvedRequest curved = WithCurves(polygons, resolved);
+  PreparedRequest result;
+  result.polygons = polygons;
+  result.domain = std::move(curved.domain);
+  result.given = WithPeriodicSides(result.domain, curved.request);
+  result.request = WithSideSizes(result.domain, result.given);
+  return result;
+}
+
+bool HasValidQuads(const Outcome<QuadWorkflowResult>& outcome)
+{
+  return outcome.value && outcome.value->quads.quality.inverted == 0;
+}
+
+/// Makes quads of a domain with its sharp tips cut off, if the outcome so far has no valid quads and this
+/// leads to some.
+void TryWithoutTips(const PlanarDomain& polygons, const QuadRequest& requested,
+  const Progress& progress, PreparedRequest& prepared, Outcome<QuadWorkflowResult>& outcome)
+{
+  if (HasValidQuads(outcome) ||
+    (outcome.error && outcome.error->GetKind() == Error::Kind::LackOfRows))
+  {
+    return;
+  }
+  for (const int vertices : { 1, 2, 4 })
+  {
+    const std::optional<CutDomain> cut = CutSharpTips(polygons, requested, vertices);
+    if (!cut)
+    {
+      return;
+    }
+    PreparedRequest other;
+    Outcome<QuadWorkflowResult> made = Try(
+      [&]
+      {
+        other = Prepare(cut->domain, cut->request);
+        return MakeAttempts(other.domain, other.request, progress);
+      });
+    if (HasValidQuads(made))
+    {
+      made.value->warnings.push_back(cut->warning);
+      prepared = std::move(other);
+      outcome = std::move(made);
+      return;
+    }
+  }
+}
 }
 
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& polygons, const QuadRequest& requested, const Progress& progress)
 {
-  const ResolvedRequest resolved = Resolve(polygons, requested);
-  RequireQuadBudget(polygons, resolved);
-  const CurvedRequest curved = WithCurves(polygons, resolved);
-  const PlanarDomain& domain = curved.domain;
-  const ResolvedRequest given = WithPeriodicSides(domain, curved.request);
-  const ResolvedRequest request = WithSideSizes(domain, given);
+  PreparedRequest prepared = Prepare(polygons, requested);
   const Progress trial = progress.Part(1.0, 1.0);
   Outcome<QuadWorkflowResult> outcome =
-    Try([&] { return MakeAttempts(domain, request, progress); });
+    Try([&] { return MakeAttempts(prepared.domain, prepared.request, progress); });
+  TryWithoutTips(polygons, requested, trial, prepared, outcome);
+  const PlanarDomain& domain = prepared.domain;
+  const ResolvedRequest& given = prepared.given;
+  const ResolvedRequest& request = prepared.request;
   if (!outcome.value)
   {
     if (outcome.error->GetKind() != Error::Kind::CoarseMesh)
@@ -77,21 +146,31 @@ QuadWorkflowResult MakeQuadMesh(
     std::optional<SmallerSize> smaller;
     if (request.sizing != Sizing::Field) // whose sizes are factors
     {
+      const bool keeps = IsChoiceSlow(result);
       smaller = FindSmallerSize(result.quads,
         [&](double size)
         {
           ResolvedRequest other = request;
           other.quadSize = size;
+          if (keeps)
+          {
+            other.singularities = result.singularities;
+          }
           return MakeAttempts(domain, other, trial).quads;
         });
+      if (smaller)
+      {
+        smaller->keepsSingularities = keeps;
+      }
     }
-    result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
+    result.warnings.push_back(
+      DescribeInverted(result.quads.quality, smaller, request.singularities.has_value()));
   }
   AddWarnings(given, result);
   result.ambiguousCorners =
     CountAmbiguous(CountQuarters(domain.loops, 0, DefaultCornerAngle, request.corners));
   result.boundary = given.curves;
-  result.curves = MeasureCurves(polygons, given.curves, result.quads.mesh);
+  result.curves = MeasureCurves(prepared.polygons, given.curves, result.quads.mesh);
   return result;
 }
 }

@@ -49,6 +49,23 @@ double EnergyOf(const PlanarDomain& domain, const Configuration& configuration)
   return OptimizeSingularities(domain, configuration, options).energyBefore;
 }
 
+TEST(ConfigurationProposal, KeepsSingularitiesInsideANeck)
+{
+  // On the axis x = 1 the domain is lower than 0.001.
+  const PlanarDomain domain = MakePlanarDomain(
+    { { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 0.001 }, { 0.0, 1.0 } } });
+  Configuration singularities = { { { 1.01, 0.005 }, 1, 0.0 } };
+  EXPECT_FALSE(MakeSymmetric(domain, FindSymmetries(domain), 0.05, singularities));
+  EXPECT_EQ(singularities[0].position, Point(1.01, 0.005));
+  for (const ProposedConfiguration& proposal : ProposeConfigurations(domain))
+  {
+    for (const Singularity& singularity : proposal.singularities)
+    {
+      EXPECT_GT(SignedDistance(singularity.position, domain), 0.0);
+    }
+  }
+}
+
 TEST(ConfigurationProposal, IsConsistentWithItsCorners)
 {
   for (const char* name : { "ring", "quarter-disk", "hexagonal", "star", "angular-hole" })

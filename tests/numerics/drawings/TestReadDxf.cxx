@@ -105,6 +105,37 @@ TEST(ReadDxf, ReadsSplines)
   EXPECT_NEAR(octant.x(), octant.y(), 1e-12);
 }
 
+TEST(ReadDxf, DividesSplinesAtKinks)
+{
+  // Degree 1: a polyline. A knot of multiplicity 2 of degree 2 is a corner, unless the curve is smooth.
+  const auto quadratic = [](const std::string& y)
+  {
+    return Read({ "SPLINE 8 a 70 8 71 2 72 8 73 5 40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 2 "
+                  "10 0 20 0 30 0 10 1 20 0 30 0 10 2 20 0 30 0 10 3 20 " +
+                  y + " 30 0 10 4 20 1 30 0" })
+      .pieces;
+  };
+  const std::vector<DrawingPiece> lines =
+    Read({ "SPLINE 8 a 70 8 71 1 72 6 73 4 40 0 40 0 40 1 40 2 40 3 40 3 10 0 20 0 30 0 "
+           "10 4 20 0 30 0 10 4 20 3 30 0 10 0 20 3 30 0" })
+      .pieces;
+  ASSERT_EQ(lines.size(), 3U);
+  for (const DrawingPiece& line : lines)
+  {
+    EXPECT_EQ(line.curve.kind, PlaneCurve::Kind::Line);
+    EXPECT_EQ(line.name, "a");
+  }
+  EXPECT_EQ(lines[1].first, Point(4, 0));
+  EXPECT_EQ(lines[1].last, Point(4, 3));
+  EXPECT_EQ(quadratic("0").size(), 1U);
+  const std::vector<DrawingPiece> parts = quadratic("1");
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].last, Point(2, 0));
+  EXPECT_EQ(parts[1].first, Point(2, 0));
+  EXPECT_EQ(parts[1].last, Point(4, 1));
+  EXPECT_LT((PointAt(parts[1], 1.5) - Point(3, 0.75)).norm(), 1e-14);
+}
+
 TEST(ReadDxf, InsertsBlocks)
 {
   // The base point (1, 1) goes to (10, 20); scale (2, 2), turned by 90°; twice, 8 apart.

@@ -133,5 +133,20 @@ TEST(ChooseQuarterTurns, ChoosesLoopsTogether)
   EXPECT_LT(
     StrainOf(sample, defects - 0.5 * Pi * turns.cast<double>()), 0.5 * StrainOf(sample, defects));
 }
+
+TEST(ChooseQuarterTurns, TurnsTheLargestDefectsOfManyLoops)
+{
+  // All pairs of 80 loops would take minutes.
+  Random random(64);
+  constexpr Eigen::Index Loops = 80;
+  const DifferentialSample sample = RandomSample(random, Loops, 0.0);
+  Eigen::VectorXd defects = RandomAngles(random, Loops, 0.05);
+  defects[7] += 0.5 * Pi;
+  defects[40] -= 0.5 * Pi;
+  Eigen::VectorXi expected = Eigen::VectorXi::Zero(Loops);
+  expected[7] = 1;
+  expected[40] = -1;
+  EXPECT_EQ(ChooseQuarterTurns(sample, defects), expected);
+}
 }
 }

@@ -156,12 +156,18 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
   QuadQuality quality;
   quality.inverted = 1;
   quality.where = { 0.25, 0.5 };
-  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000 }),
+  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000 }, true),
     "1 quad is inverted near (0.25, 0.5); use a smaller size: with 0.0125, 4000 quads, "
     "none is inverted.");
+  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000, true }, false),
+    "1 quad is inverted near (0.25, 0.5); use a smaller size and the same singularities "
+    "(--save-singularities, then -s): with 0.0125, 4000 quads, none is inverted.");
   quality.inverted = 2;
-  const std::string helpless = DescribeInverted(quality, {});
-  EXPECT_EQ(helpless.find("use a smaller size"), std::string::npos) << helpless;
+  EXPECT_EQ(DescribeInverted(quality, {}, true),
+    "2 quads are inverted, the worst near (0.25, 0.5), and smaller sizes do not help; choose other "
+    "positions for the singularities nearby.");
+  EXPECT_EQ(DescribeInverted(quality, {}, false),
+    "2 quads are inverted, the worst near (0.25, 0.5), and smaller sizes do not help.");
   // The quads of each size, as long as some are inverted.
   QuadResult quads;
   quads.size = 0.1;
