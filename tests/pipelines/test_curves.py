@@ -100,6 +100,15 @@ class Curves(ProgramTest):
         (curve,) = self.report("quads.vtu")["curves"]
         self.assertEqual(curve["kind"], "circle")
 
+    def test_a_mesh_of_higher_order_is_a_domain(self):
+        for order in ("2", "3"):
+            self.report("plate.vtp", "--curve", "hole:circle", "--order", order)
+            os.rename(self.folder / "quads.vtu", self.folder / "domain.vtu")
+            report = self.report("domain.vtu")
+            self.assertEqual([side["name"] for side in report["sides"]],
+                             [side["name"] for side in self.report("plate.vtp", "--curve", "hole:circle")["sides"]])
+            self.assertLess(self.nodes_on_circle((1.4, 1.0), 0.4, 1)[0], 1e-12)
+
     def test_the_summary_has_a_line_for_each_curve(self):
         text = self.succeed("quads", "plate.vtp", "-o", "quads.vtu", "--curve", "hole:circle", "--order", "2", "--verbose")
         self.assertRegex(text, r"circle along 'hole': \d+ edges, nodes moved by at most 0\.\d+\n")

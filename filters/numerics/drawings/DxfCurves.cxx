@@ -70,6 +70,24 @@ std::vector<BulgeVertex> HeavyVertices(const std::vector<DxfObject>& objects)
   return vertices;
 }
 
+/// Returns whether knots are at equal distances, up to the digits of a file.
+bool AreEven(const std::vector<double>& knots)
+{
+  constexpr double Rounding = 1e-6;
+  const double step = (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1);
+  for (std::size_t i = 1; i < knots.size(); ++i)
+  {
+    if (std::abs(knots[i] - knots[i - 1] - step) > Rounding * step)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The bit of group 70 that says that a SPLINE is closed.
+constexpr int Closed = 1;
+
 std::vector<DrawingPiece> Spline(const DxfObject& entity)
 {
   std::vector<Point> control = entity.Places(10);
@@ -80,7 +98,6 @@ std::vector<DrawingPiece> Spline(const DxfObject& entity)
     {
       throw Error("There are too few points in " + entity.Origin() + "; correct or remove it.");
     }
-    constexpr int Closed = 1;
     const bool isPeriodic =
       (entity.Integer(70) & Closed) != 0 && !entity.Has(12) && !entity.Has(13);
     if ((entity.Integer(70) & Closed) != 0 && through.front() != through.back())
@@ -98,8 +115,28 @@ std::vector<DrawingPiece> Spline(const DxfObject& entity)
     }
     return { ThroughPoints(through, isPeriodic, tangents) };
   }
-  return SplitAtKinks(NurbsPiece(entity.Integer(71, 3), entity.Numbers(40), std::move(control),
-    entity.Numbers(41), entity.Origin()));
+  std::vector<double> knots = entity.Numbers(40);
+  std::vector<double> weights = entity.Numbers(41);
+  const int degree = entity.Integer(71, 3);
+  DrawingPiece piece = NurbsPiece(degree, knots, control, weights, entity.Origin());
+  if ((entity.Integer(70) & Closed) != 0 && piece.first != piece.last && AreEven(knots))
+  {
+    // The first control points follow the last ones once more.
+    const double step = (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(degree); ++i)
+    {
+      control.push_back(control[i]);
+      knots.push_back(knots.back() + step);
+      if (!weights.empty())
+      {
+        weights.push_back(weights[i]);
+      }
+    }
+    piece =
+      NurbsPiece(degree, std::move(knots), std::move(control), std::move(weights), entity.Origin());
+    piece.last = piece.first;
+  }
+  return SplitAtKinks(piece);
 }
 
 void AddPieces(const DxfObject& entity, const std::vector<DxfObject>& vertices,
@@ -179,9 +216,12 @@ std::vector<DrawingPiece> DxfCurves(const DxfObject& entity, const std::vector<D
   const std::string_view type = entity.Type();
   const AffineMap map = DxfEntityMap(entity);
   const bool isMirrored = map(0, 0) < 0.0;
+  const bool isOpenAgainstFlag = type == "SPLINE" && !pieces.empty() &&
+    (entity.Integer(70) & Closed) != 0 && pieces.front().first != pieces.back().last;
   for (DrawingPiece& piece : pieces)
   {
-    piece.origin = entity.Origin();
+    piece.origin = entity.Origin() +
+      (isOpenAgainstFlag ? " (whose flag says that it is closed, although its ends differ)" : "");
     if (isMirrored && type == "ELLIPSE")
     {
       // Centre and axis are those of the drawing; seen from below, parameters run clockwise.

@@ -51,7 +51,7 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
 struct PreparedRequest
 {
   PlanarDomain polygons;
-  PlanarDomain domain; ///< With curves sampled.
+  PlanarDomain domain;     ///< With curves sampled.
   ResolvedRequest given;   ///< With periodic sides.
   ResolvedRequest request; ///< With sizes of sides as well.
 };

@@ -2,6 +2,7 @@
 
 #include "BoundaryLoops.h"
 #include "CellLoop.h"
+#include "CellOutline.h"
 #include "DomainExtent.h"
 #include "Error.h"
 #include "InputCheck.h"
@@ -39,14 +40,14 @@ std::string NameOfType(int type)
 
 /**
  * Returns the surface cells of a data set, or else its lines, with the points that they use.
- * Vertices are ignored. Throws crossfield::Error for other cells and for coordinates that are not
+ * Edges of higher order have their nodes as vertices. Vertex cells are ignored. Throws crossfield::Error for other cells and for coordinates that are not
  * finite.
  */
 vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
 {
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> surfaces;
-  CellLoop::ForEachCell(input,
+  CellOutline::ForEachCell(input,
     [&](vtkIdType, int type, const CellLoop::Points& points)
     {
       switch (type)

@@ -1,7 +1,7 @@
 #include "SegmentCells.h"
 
 #include "BoundaryCorners.h"
-#include "CellLoop.h"
+#include "CellOutline.h"
 
 #include "vtkDataSet.h"
 #include "vtkNew.h"
@@ -72,7 +72,7 @@ std::vector<std::vector<vtkIdType>> Find(vtkDataSet* input, const DomainConversi
 {
   const VertexLocator vertices(domain);
   std::map<Segment, vtkIdType> cellOf;
-  CellLoop::ForEachCell(input,
+  CellOutline::ForEachCell(input,
     [&](vtkIdType cell, int type, const auto& points)
     {
       const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;

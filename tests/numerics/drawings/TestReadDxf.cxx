@@ -194,6 +194,26 @@ TEST(ReadDxf, ReflectsEntitiesSeenFromBelow)
     1U);
 }
 
+TEST(ReadDxf, TheFlagClosesSplines)
+{
+  const std::string points =
+    " 10 0 20 0 10 30 20 -5 10 60 20 0 10 65 20 25 10 30 20 40 10 -5 20 25";
+  // Even knots: the control points are repeated.
+  const Drawing even =
+    Read({ "SPLINE 70 11 71 3 40 0 40 1 40 2 40 3 40 4 40 5 40 6 40 7 40 8 40 9" + points });
+  ASSERT_EQ(even.pieces.size(), 1U);
+  const DrawingPiece& piece = even.pieces[0];
+  EXPECT_EQ(piece.first, piece.last);
+  EXPECT_LT((PointAt(piece, piece.end - 1e-9) - piece.last).norm(), 1e-6);
+  // Of a uniform cubic B-spline: one sixth, four sixths and one sixth of control points.
+  EXPECT_LT((piece.first - Point(30, -20.0 / 6.0)).norm(), 1e-12);
+  EXPECT_EQ(Trace(even).loops.size(), 1U);
+  // Knots of full multiplicity at ends that differ: a sentence names the flag.
+  const Drawing open =
+    Read({ "SPLINE 70 11 71 3 40 0 40 0 40 0 40 0 40 1 40 2 40 3 40 3 40 3 40 3" + points });
+  EXPECT_TRUE(Refuses([&] { Trace(open); }, { "open at", "whose flag says that it is closed" }));
+}
+
 TEST(ReadDxf, LeavesOutWhatIsNotDrawn)
 {
   const std::string layers = "  0\nSECTION\n  2\nTABLES\n" +

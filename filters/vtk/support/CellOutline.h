@@ -1,0 +1,41 @@
+#ifndef CellOutline_h
+#define CellOutline_h
+
+#include "CellLoop.h"
+
+#include <vector>
+
+/**
+ * Lines and surface cells of any order by the points along them: nodes between the ends of edges are vertices,
+ * nodes inside of cells are not used.
+ */
+namespace CellOutline
+{
+/**
+ * Returns the points along a line or around a cell of higher order with these points, and its type as one of
+ * first order, VTK_POLY_LINE or VTK_POLYGON; no points if the type is another one.
+ */
+struct Outline
+{
+  int type = VTK_EMPTY_CELL;
+  std::vector<vtkIdType> points;
+};
+Outline Of(int type, const CellLoop::Points& points);
+
+/** Calls work(cell, type, points) for every cell of a data set, those of higher order as Of. */
+template <class Work>
+void ForEachCell(vtkDataSet* data, const Work& work)
+{
+  CellLoop::ForEachCell(data,
+    [&work](vtkIdType cell, int type, const CellLoop::Points& points)
+    {
+      const Outline outline = Of(type, points);
+      outline.points.empty()
+        ? work(cell, type, points)
+        : work(cell, outline.type,
+            CellLoop::Points(outline.points.data(), static_cast<vtkIdType>(outline.points.size())));
+    });
+}
+}
+
+#endif
