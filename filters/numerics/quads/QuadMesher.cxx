@@ -102,7 +102,8 @@ public:
       result.quality = MeasureQuads(result.mesh, result.size);
       return;
     }
-    result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, progress);
+    result.smoothing =
+      SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, this->Options.hold, progress);
     MakeSymmetricAndPeriodic(result.mesh, this->Curves, this->Domain, result.smoothing);
     result.smoothSeconds += stopwatch.Lap();
     result.quality = MeasureQuads(result.mesh, result.size);

@@ -5,6 +5,7 @@
 #include "HolonomyRepair.h"
 #include "PlanarDomain.h"
 #include "QuadMesher.h"
+#include "QuadRequest.h"
 
 #include <functional>
 #include <optional>
@@ -49,7 +50,17 @@ std::string CountInverted(const QuadQuality& quality);
 
 /// Returns a sentence about inverted quads. The remedy is a size with which there are none, if one
 /// was found.
-std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller);
+std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller,
+  bool singularitiesAreGiven);
+
+/// Returns a sentence about sizes of quads that, by their mean, or whose logarithms have a standard
+/// deviation of more than 1, and the option that makes them more equal; an empty text if they have not, or if the request
+/// prescribes sizes.
+std::string DescribeSizes(const QuadRequest& request, const QuadMesh& mesh);
+
+/// Returns a sentence about the area that is lost, or covered beyond the boundary, where edges cut off
+/// curves; an empty text if this is less than AcceptableAreaError.
+std::string DescribeArea(const QuadResult& quads);
 
 /// Returns the clause that offers a repair of the holonomy that was found to work.
 std::string RepairAdvice(const HolonomyRepair& repair);

@@ -6,7 +6,7 @@ namespace crossfield
 {
 bool IsSizingFree(const QuadRequest& request)
 {
-  return !request.sizing && !request.singularities && request.layers.empty() &&
+  return !request.sizing && request.layers.empty() &&
     std::none_of(request.prescribed.begin(), request.prescribed.end(),
       [](const SidePrescription& one) { return one.isGraded; });
 }

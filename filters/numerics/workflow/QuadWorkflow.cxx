@@ -18,7 +18,19 @@ namespace crossfield
 {
 namespace
 {
-/// Adds warnings about the choice, the number of quads and nearly degenerate quads.
+/// Throws Error if singularities are to be held and moved.
+void RequireOneWish(const QuadRequest& request)
+{
+  if (request.hold && request.repairHolonomy)
+  {
+    throw Error("The repair of the holonomy moves singularities, which cannot be held at the same "
+                "time; turn off one of both (RepairHolonomy, --repair-holonomy; "
+                "HoldSingularities, --hold).");
+  }
+}
+
+/// Adds warnings about the choice, the number of quads, their sizes and area, and nearly degenerate
+/// quads.
 void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
 {
   if (result.optimum && !result.optimum->converged && !result.optimum->aborted)
@@ -31,10 +43,13 @@ void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
       std::to_string(request.quadCount) + " was found for these separatrices; " +
       std::to_string(result.quads.mesh.quads.size()) + " is the nearest; request another number.");
   }
-  const std::string worst = DescribeWorstQuad(result.quads.mesh, result.quads.quality);
-  if (!worst.empty())
+  for (const std::string& warning : { DescribeSizes(request, result.quads.mesh),
+         DescribeArea(result.quads), DescribeWorstQuad(result.quads.mesh, result.quads.quality) })
   {
-    result.warnings.push_back(worst);
+    if (!warning.empty())
+    {
+      result.warnings.push_back(warning);
+    }
   }
 }
 }
@@ -42,6 +57,7 @@ void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& polygons, const QuadRequest& requested, const Progress& progress)
 {
+  RequireOneWish(requested);
   RequireQuadBudget(polygons, requested);
   const CurvedRequest curved = WithCurves(polygons, requested);
   const PlanarDomain& domain = curved.domain;
@@ -84,7 +100,8 @@ QuadWorkflowResult MakeQuadMesh(
           return MakeAttempts(domain, other, trial).quads;
         });
     }
-    result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
+    result.warnings.push_back(
+      DescribeInverted(result.quads.quality, smaller, request.singularities.has_value()));
   }
   AddWarnings(given, result);
   result.ambiguousCorners =

@@ -24,6 +24,10 @@ void WriteLayers(const std::vector<crossfield::LayerReport>& layers, vtkFieldDat
 /** Writes the measures of curves, one tuple for each; nothing if there are none. */
 void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* data);
 
+/** Writes the moves of given singularities. */
+void WriteMoves(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
+  vtkFieldData* data);
+
 /** Returns, without a full stop, the numbers of quads and blocks and the minimum angle. */
 std::string DescribeQuads(const crossfield::QuadResult& result);
 

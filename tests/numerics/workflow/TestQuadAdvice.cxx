@@ -156,11 +156,11 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
   QuadQuality quality;
   quality.inverted = 1;
   quality.where = { 0.25, 0.5 };
-  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000 }),
+  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000 }, true),
     "1 quad is inverted near (0.25, 0.5); use a smaller size: with 0.0125, 4000 quads, "
     "none is inverted.");
   quality.inverted = 2;
-  const std::string helpless = DescribeInverted(quality, {});
+  const std::string helpless = DescribeInverted(quality, {}, true);
   EXPECT_EQ(helpless.find("use a smaller size"), std::string::npos) << helpless;
   // The quads of each size, as long as some are inverted.
   QuadResult quads;
