@@ -18,6 +18,7 @@
 #include "Quantisation.h"
 #include "SidePlacement.h"
 #include "SizeSearch.h"
+#include "SmoothLoops.h"
 #include "SplitAtSides.h"
 #include "Stopwatch.h"
 #include "TargetLengths.h"
@@ -47,6 +48,7 @@ public:
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
     , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
+    , RoundLoops(map, this->Curves, options.sides, options.prescribed, result.tMesh)
     , Sums(SumsOf(map, pairs, curves, options, result.tMesh))
   {
   }
@@ -189,6 +191,7 @@ private:
     QuantisationProblem problem = MakeQuantisationProblem(this->Result.tMesh, std::move(target));
     problem.sums = this->Sums;
     this->Graded.SetWeights(problem);
+    this->RoundLoops.RaiseTargets(size, problem);
     return problem;
   }
 
@@ -373,6 +376,7 @@ private:
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
   const GradedArcs Graded;
+  const SmoothLoops RoundLoops;
   const std::vector<CountSum> Sums; ///< Prescribed for sides of the boundary.
 };
 }
