@@ -191,13 +191,21 @@ private:
     QuantisationProblem problem = MakeQuantisationProblem(this->Result.tMesh, std::move(target));
     problem.sums = this->Sums;
     this->Graded.SetWeights(problem);
-    this->RoundLoops.RaiseTargets(size, problem);
     return problem;
+  }
+
+  /// Returns the counts of a problem for a size, with enough edges around smooth loops.
+  EdgeCounts CountsOf(QuantisationProblem problem, double size, SearchEffort effort) const
+  {
+    EdgeCounts counts = Quantise(this->Result.tMesh, problem, effort);
+    return this->RoundLoops.RaiseTargets(size, counts.counts, problem)
+      ? Quantise(this->Result.tMesh, problem, effort)
+      : counts;
   }
 
   EdgeCounts QuantiseFor(double size, SearchEffort effort) const
   {
-    return Quantise(this->Result.tMesh, this->ProblemFor(size), effort);
+    return this->CountsOf(this->ProblemFor(size), size, effort);
   }
 
   /// Returns the counts for the given size, or for the one that SearchSize finds.
@@ -260,7 +268,7 @@ private:
         {
           problem.weight[a] *= std::pow(problem.target[a], Preference);
         }
-        EdgeCounts counts = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
+        EdgeCounts counts = this->CountsOf(problem, factor * size, SearchEffort::Quick);
         if (counts.counts == tried || this->CountError(counts, wanted) > CountTolerance)
         {
           continue;

@@ -79,27 +79,30 @@ SmoothLoops::SmoothLoops(const SeamlessMap& map, const MeshBoundary& curves,
   }
 }
 
-void SmoothLoops::RaiseTargets(double size, QuantisationProblem& problem) const
+bool SmoothLoops::RaiseTargets(
+  double size, const std::vector<int>& counts, QuantisationProblem& problem) const
 {
   // Edges shorter than this part of the quads are for tiny holes, which their sizes do not show.
   constexpr double ShortestPart = 0.25;
   // As for prescribed numbers of edges (GradedArcs.cxx).
   constexpr double Preference = 100.0;
+  bool isRaised = false;
   for (const Loop& loop : this->Loops)
   {
     const int minimum = static_cast<int>(
       std::min(static_cast<double>(EnoughEdges), std::floor(loop.length / (ShortestPart * size))));
     std::vector<double> targets;
-    double sum = 0.0;
+    int edges = 0;
     for (const int arc : loop.arcs)
     {
       targets.push_back(problem.target[arc]);
-      sum += problem.target[arc];
+      edges += counts[arc];
     }
-    if (sum >= minimum)
+    if (edges >= minimum)
     {
       continue;
     }
+    isRaised = true;
     const std::vector<double> raised = RoundedTo(targets, minimum);
     for (std::size_t i = 0; i < loop.arcs.size(); ++i)
     {
@@ -107,5 +110,6 @@ void SmoothLoops::RaiseTargets(double size, QuantisationProblem& problem) const
       problem.weight[loop.arcs[i]] *= Preference;
     }
   }
+  return isRaised;
 }
 }

@@ -21,10 +21,11 @@ public:
   SmoothLoops(const SeamlessMap& map, const MeshBoundary& curves, const BoundarySides& sides,
     const SidePrescriptions& prescribed, const TMesh& mesh);
 
-  /// Raises the targets of loops with fewer than twelve edges to this number, or to that of edges a
+  /// Raises the targets of loops to which counts give fewer than twelve edges to this number, or to that of edges a
   /// quarter as long as the quads of a size if this is smaller, and their weights, so that the edge counts
-  /// follow.
-  void RaiseTargets(double size, QuantisationProblem& problem) const;
+  /// follow. Returns whether there are such loops.
+  bool RaiseTargets(
+    double size, const std::vector<int>& counts, QuantisationProblem& problem) const;
 
 private:
   struct Loop

@@ -3,6 +3,7 @@
 #include "Candidates.h"
 #include "MeshGrade.h"
 #include "OptimizerReport.h"
+#include "TargetLengths.h"
 
 #include <array>
 #include <utility>
@@ -55,8 +56,15 @@ std::vector<std::string> ChooseSizing(
   const std::vector<SizingStep> steps = StepsFor(freedom);
   const double variation = meshed.quads.quality.variation;
   const double bound = meshed.quads.quality.bound;
+  // A requested size stands for a number of quads too: with few quads, uniform sizes may miss it by far.
+  const double wanted = freedom != SizingFreedom::Free && options.quadSize > 0.0
+    ? AreaOf(meshed.quads.tMesh) / options.quadSize / options.quadSize
+    : 0.0;
   const auto gradeOf = [&](const QuadResult& quads)
-  { return GradeOf(quads, options.quadSize, options.quadCount, bound); };
+  {
+    return wanted >= 1.0 ? GradeOf(quads, 0.0, static_cast<int>(wanted), bound)
+                         : GradeOf(quads, options.quadSize, options.quadCount, bound);
+  };
   MeshGrade best = gradeOf(meshed.quads);
   bool isChanged = false;
   const QuadOptions given = options;
