@@ -1,9 +1,8 @@
 // Loops without corners keep enough edges to show their shape.
 
-#include "SmoothLoops.h"
+#include "QuadWorkflow.h"
 
 #include "MakePlanarDomain.h"
-#include "QuadWorkflow.h"
 #include "Support.h"
 
 #include <algorithm>
