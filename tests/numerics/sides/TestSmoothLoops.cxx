@@ -1,8 +1,9 @@
 // Loops without corners keep enough edges to show their shape.
 
-#include "QuadWorkflow.h"
+#include "SmoothLoops.h"
 
 #include "MakePlanarDomain.h"
+#include "QuadWorkflow.h"
 #include "Support.h"
 
 #include <algorithm>
