@@ -43,6 +43,7 @@ struct CheckOptions
   std::string proposal;
   std::string json;
   int alternatives = 0;
+  bool capCorners = true;
   double coreRadius = 0.0;
   bool cancelFlat = false;
 };
@@ -72,6 +73,8 @@ int Check(const CheckOptions& options)
   vtkNew<vtkConfigurationProposal> proposal;
   check->SetInputConnection(domain->GetOutputPort());
   proposal->SetInputConnection(domain->GetOutputPort());
+  check->SetCapCorners(options.capCorners);
+  proposal->SetCapCorners(options.capCorners);
   DomainReader::ConnectCorners(check.Get(), options.corners);
   DomainReader::ConnectCorners(proposal.Get(), options.corners);
   BoundaryInput::Keep(domain, options.corners);
@@ -164,6 +167,7 @@ void AddCheckCommand(CLI::App& app, int& status)
       "F_2.csv, …, the best first; default: 0")
     ->transform(NumberCheck::Whole(0, 100))
     ->needs(proposing);
+  AddCapCornersTo(*command, options->capCorners, "--cap-corners,!--no-cap-corners");
   AddCoreRadiusTo(*command, options->coreRadius);
   command->add_flag("--cancel-flat", options->cancelFlat,
     "propose pairs of singularities that cancel corners of 135 to 180 degrees");

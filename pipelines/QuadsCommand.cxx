@@ -60,6 +60,7 @@ struct QuadsOptions
   double clearance = 0.0;
   int pairs = 0;
   bool capCorners = true;
+  bool hold = false;
   bool repairHolonomy = false;
   double repairPart = 1.0;
   bool split = false;
@@ -159,6 +160,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetMerge(options.merge);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
+  mesher->SetHoldSingularities(options.hold);
   mesher->SetRepairHolonomy(options.repairHolonomy || options.repairPart < 1.0);
   mesher->SetRepairPart(options.repairPart);
   mesher->SetSplitSingularities(options.split);
@@ -297,8 +299,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->add_option("--sizing", options->sizing,
       "conformal: the sizes of the cross field, with the best shapes; uniform: the same size "
       "everywhere, for which singularities may move; field NAME: the lengths in a point array of the "
-      "domain, or with --quads their proportions; auto: conformal if singularities are given or sizes "
-      "are nearly uniform, otherwise uniform as far as the worst quad stays good; default: auto")
+      "domain, or with --quads their proportions; auto: conformal if sizes are nearly uniform, "
+      "otherwise uniform as far as the worst quad stays good; default: auto")
     ->expected(1, 2)
     ->type_name("WORD");
   command
@@ -334,6 +336,9 @@ void AddQuadsCommand(CLI::App& app, int& status)
   AddClearanceTo(*command, options->clearance, "0.7 of the size of quads");
   AddPairsTo(*command, options->pairs);
   AddCapCornersTo(*command, options->capCorners, "--cap-corners,!--no-cap-corners");
+  command->add_flag("--hold", options->hold,
+    "keep the nodes of given singularities where these are; otherwise they move where shapes or "
+    "sizes are poor without this, and the report lists their moves");
   AddRepairHolonomyTo(*command, options->repairHolonomy);
   command
     ->add_option("--repair-part", options->repairPart,

@@ -178,13 +178,14 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
 @checks_arguments
 def check(domain: Domain, singularities: Singularities = None, *,
           corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
-          holonomy: bool = True) -> ConsistencyCheck:
+          holonomy: bool = True, cap_corners: bool = True) -> ConsistencyCheck:
     """Checks whether singularities can exist on a domain, and why, by the Poincaré-Hopf theorem.
 
     The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
     then checked itself. A vertex of the boundary that turns by more than `corner_angle` degrees is
-    a corner. `holonomy` also computes the holonomy defects of inner loops, which takes a solve. A
-    configuration that cannot exist is no error.
+    a corner. `holonomy` also computes the holonomy defects of inner loops, which takes a solve.
+    `cap_corners` gives sharp corners of quarter index 2 index 1, as `quads` does. A configuration
+    that cannot exist is no error.
 
     >>> checked = check("builtin:disk", [(0, 0, 1)])
     >>> checked.consistent, checked.report["required_interior_quarters"]
@@ -199,6 +200,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
         filter_.SetCornersData(corner_points(corners))
     filter_.SetCornerAngle(corner_angle)
     filter_.SetHolonomy(holonomy)
+    filter_.SetCapCorners(cap_corners)
     checked = pipeline.update(filter_).GetOutput()
     found = filter_.GetOutputDataObject(2)
     report = report_of("check", checked, corners=found, loops=filter_.GetOutputDataObject(1))

@@ -228,7 +228,7 @@ def _mesh_of(pipeline: Pipeline, mesher: vtkQuadMesher, was_chosen: bool, order:
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities, CornerRows] = None, cap_corners: bool = True,
-          sizing: str = "auto", size_array: Optional[str] = None, merge: str = "none",
+          sizing: str = "auto", size_array: Optional[str] = None, merge: str = "none", hold: bool = False,
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
@@ -250,12 +250,14 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
                    singularities may move; "field": the lengths in a point array of the domain, or their
                    proportions if `count` is given; with the last two, chosen singularities are moved to where
-                   sizes are nearest to these; "auto": conformal if singularities are given or sizes are nearly
-                   uniform, otherwise uniform as far as the worst quad stays good
+                   sizes are nearest to these; "auto": conformal if sizes are nearly uniform, otherwise uniform as
+                   far as the worst quad stays good
     size_array     name of this array
     merge          separatrices that nearly meet: "none" keeps them apart; "clean" moves singularities until they
                    meet, as far as the quads stay as good; "coarse" merges them in place, for the fewest
                    blocks whose worst quad is at least half as good
+    hold           keeps the nodes of given singularities where these are; otherwise they move where shapes or sizes
+                   are poor without this, and report["moves"] lists their moves
     repair_holonomy
                    moves singularities by the smallest distances after which no inner loop has a holonomy defect
     repair_part    part of the way that repair_holonomy moves the singularities, 0 to 1
@@ -339,6 +341,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetMinimumSize(checked(min_size))
     mesher.SetMaximumSize(checked(max_size))
     mesher.SetMerge(_MERGES[merge])
+    mesher.SetHoldSingularities(hold)
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetRepairPart(repair_part)
     mesher.SetSplitSingularities(split)

@@ -271,6 +271,11 @@ public:
         { "vector", names::PeriodicVector, { "x", "y", "z" } },
         { "centre", names::PeriodicCentre, { "x", "y", "z" } }, names::PeriodicAngle,
         names::PeriodicEdges, names::PeriodicMismatch });
+    std::vector<std::string> axes = { "x", "y", "z" };
+    axes.resize(static_cast<std::size_t>(this->Axes));
+    this->AddColumns("moves", "Move",
+      { names::MoveSingularity, { "", names::MoveFrom, axes }, { "to", names::MoveTo, axes },
+        names::MoveDistance });
     this->AddColumns("curves", "Curve",
       { names::CurveKind, names::CurveSides, names::CurveEdges, names::CurveMoved,
         names::CurveSagitta });

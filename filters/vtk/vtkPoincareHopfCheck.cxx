@@ -61,13 +61,29 @@ vtkUnstructuredGrid* AsField(vtkDataSet* domain)
                                                                                           : nullptr;
 }
 
+/** Returns a sentence about corners that were capped; `uncapped` is the required sum without this. */
+std::string DescribeCaps(std::size_t corners, int uncapped)
+{
+  return std::to_string(corners) +
+    (corners == 1 ? " very sharp corner counts as an ordinary one"
+                  : " very sharp corners count as ordinary ones") +
+    ", with one quad; without this the sum is " + std::to_string(uncapped) +
+    " (CapCorners, --no-cap-corners).";
+}
+
 Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* corners,
-  double cornerAngle, bool holonomy, const crossfield::Progress& progress)
+  double cornerAngle, bool cap, bool holonomy, const crossfield::Progress& progress)
 {
   Findings result;
   const auto [domain, plane] = DomainConversion::ReadDomain(input);
-  const std::vector<crossfield::CornerChoice> choices =
-    CornerConversion::ReadCorners(corners, plane);
+  std::vector<crossfield::CornerChoice> choices = CornerConversion::ReadCorners(corners, plane);
+  const std::size_t given = choices.size();
+  const crossfield::PoincareHopfCount uncapped =
+    crossfield::CountQuarters(domain.loops, 0, cornerAngle, choices);
+  if (cap)
+  {
+    choices = crossfield::CapCorners(uncapped, choices);
+  }
   progress.Report(0.1);
   const crossfield::Configuration configuration =
     ConfigurationConversion::ReadConfiguration(singularities, plane);
@@ -90,6 +106,10 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDat
       crossfield::HolonomyDefects(domain, configuration, choices, progress.Part(0.1, 1.0));
   }
   result.reason = crossfield::ConsistencyReason(result.count, result.holonomyDefects);
+  if (choices.size() > given)
+  {
+    result.reason += " " + DescribeCaps(choices.size() - given, uncapped.requiredInteriorQuarters);
+  }
   return result;
 }
 
@@ -229,10 +249,10 @@ int vtkPoincareHopfCheck::RequestData(
   const auto check = [&](const crossfield::Progress& progress)
   {
     vtkUnstructuredGrid* field = AsField(domain);
-    const Findings findings = field != nullptr
-      ? CheckField(field, corners, progress)
-      : CheckConfiguration(domain, singularities, corners,
-          vtkMath::RadiansFromDegrees(this->CornerAngle), this->Holonomy, progress);
+    const Findings findings = field != nullptr ? CheckField(field, corners, progress)
+                                               : CheckConfiguration(domain, singularities, corners,
+                                                   vtkMath::RadiansFromDegrees(this->CornerAngle),
+                                                   this->CapCorners, this->Holonomy, progress);
     vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
     output->ShallowCopy(domain);
     WriteFindings(findings, output->GetFieldData());
@@ -255,5 +275,6 @@ void vtkPoincareHopfCheck::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "CapCorners: " << (this->CapCorners ? "on" : "off") << "\n";
   os << indent << "Holonomy: " << (this->Holonomy ? "on" : "off") << "\n";
 }

@@ -88,6 +88,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Gives very sharp corners, of quarter index 2 or more, index 1, as vtkQuadMesher does by default:
+   * with the same setting both require the same sum. Not used for a field. Default: off.
+   */
+  vtkSetMacro(CapCorners, bool);
+  vtkGetMacro(CapCorners, bool);
+  vtkBooleanMacro(CapCorners, bool);
+  ///@}
+
+  ///@{
   /** Computes the holonomy defects, which needs a mesh and a linear system. Default: on. */
   vtkSetMacro(Holonomy, bool);
   vtkGetMacro(Holonomy, bool);
@@ -108,6 +118,7 @@ private:
   void operator=(const vtkPoincareHopfCheck&) = delete;
 
   double CornerAngle = 30.0;
+  bool CapCorners = false;
   bool Holonomy = true;
 };
 

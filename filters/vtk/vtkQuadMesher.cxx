@@ -135,6 +135,7 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.clearance = this->Clearance;
   request.pairs = this->Pairs;
   request.capCorners = this->CapCorners;
+  request.hold = this->HoldSingularities;
   request.repairHolonomy = this->RepairHolonomy;
   request.repairPart = this->RepairPart;
   request.split = this->SplitSingularities;
@@ -222,6 +223,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   QuadReport::WriteBlockCounts(result.blocks, report);
   QuadReport::WriteLayers(result.layers, report);
   QuadReport::WriteCurves(result, report);
+  QuadReport::WriteMoves(result, plane, report);
   PeriodicConversion::WriteReport(result.quads.mesh, plane, report);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
@@ -292,6 +294,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
+  os << indent << "HoldSingularities: " << this->HoldSingularities << "\n";
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "RepairPart: " << this->RepairPart << "\n";
   os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";

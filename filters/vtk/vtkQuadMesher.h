@@ -71,7 +71,9 @@
  * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
- * singularities had to move), `Moved` (maximum distance of a node from the position of its
+ * singularities had to move), `MoveSingularity`,
+ * `MoveFrom`, `MoveTo` and `MoveDistance` (moves of given singularities: number, from 1, places and
+ * distance), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
  * `SideNames`, `SideEdges` and `SideLengths` (name, number of edges and length of each side),
  * `CurveSides`, `CurveEdges` and `CurveMoved` (names of the sides, number of edges and
@@ -166,9 +168,9 @@ public:
    * singularities are moved to where the sizes of the map are nearest to the target sizes, as with
    * UniformSizes of vtkSingularityOptimizer.
    *
-   * SizingAutomatic retains the sizes of the map if singularities are given, and if the standard
-   * deviation of the sizes is at most 0.12 of their mean; otherwise it moves nodes towards uniform
-   * sizes as far as the worst quad stays good. Default: SizingAutomatic.
+   * SizingAutomatic retains the sizes of the map if the standard deviation of the sizes is at most
+   * 0.12 of their mean; otherwise it moves nodes towards uniform sizes as far as the worst quad stays
+   * good. Given singularities stay in place if that is good enough. Default: SizingAutomatic.
    */
   vtkSetClampMacro(Sizing, int, SizingConformal, SizingAutomatic);
   vtkGetMacro(Sizing, int);
@@ -310,6 +312,16 @@ public:
 
   ///@{
   /**
+   * Keeps the nodes of singularities where these were given. Otherwise they move where shapes or
+   * sizes of quads are poor without this; the report lists their moves. Default: off.
+   */
+  vtkSetMacro(HoldSingularities, bool);
+  vtkGetMacro(HoldSingularities, bool);
+  vtkBooleanMacro(HoldSingularities, bool);
+  ///@}
+
+  ///@{
+  /**
    * Part of the way to the positions without defects that RepairHolonomy moves the singularities, 0
    * to 1: with less, they stay closer to their places and quads are stretched by a part of what they
    * would be. Default: 1.
@@ -436,6 +448,7 @@ private:
   double MeshSize = 0.0;
   double Clearance = 0.0;
   bool CapCorners = true;
+  bool HoldSingularities = false;
   bool RepairHolonomy = false;
   double RepairPart = 1.0;
   bool SplitSingularities = false;

@@ -1,6 +1,7 @@
 #include "MeshGrade.h"
 
 #include "SizeSearch.h"
+#include "TargetLengths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,10 @@ namespace crossfield
 bool MeshGrade::operator<(const MeshGrade& other) const
 {
   const auto values = [](const MeshGrade& grade)
-  { return std::tie(grade.inverted, grade.count, grade.shape, grade.variation, grade.blocks); };
+  {
+    return std::tie(
+      grade.inverted, grade.count, grade.area, grade.shape, grade.variation, grade.blocks);
+  };
   return values(*this) < values(other);
 }
 
@@ -20,8 +24,21 @@ MeshGrade GradeOf(const QuadResult& quads, double quadSize, int quadCount, doubl
   const QuadQuality& quality = quads.quality;
   const double bound = std::max(attainable, quality.bound);
   return { quality.inverted, CountExcess(quads, quadSize, quadCount),
+    std::max(0.0, AreaError(quads) - AcceptableAreaError),
     std::max(0.0, GoodShape - quality.jacobian.min / bound),
     std::max(0.0, quality.variation - GoodVariation), quads.blocks.blocks.size() };
+}
+
+double AreaError(const QuadResult& quads)
+{
+  double area = 0.0;
+  for (const QuadBoundaryEdge& edge : quads.mesh.boundary)
+  {
+    const auto at = [&](std::size_t end) { return quads.mesh.points[edge.points[end]].InPlane(); };
+    area += 0.5 * Cross(at(0), at(1));
+  }
+  const double whole = AreaOf(quads.tMesh);
+  return whole > 0.0 ? std::abs(area / whole - 1.0) : 0.0;
 }
 
 double CountExcess(const QuadResult& quads, double quadSize, int quadCount)

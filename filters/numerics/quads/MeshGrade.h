@@ -15,6 +15,9 @@ constexpr double AcceptableShape = 0.6;
 /// Standard deviation of sizes relative to their mean up to which sizes need no improvement.
 constexpr double GoodVariation = 0.12;
 
+/// Part of the area of the domain that may be lost where edges cut off curves of the boundary.
+constexpr double AcceptableAreaError = 0.02;
+
 /// What a mesh lacks. Of two meshes for the same request, the one with the smaller grade is better; its
 /// members are compared in their order. Merging blocks is judged by IsAsClean instead, and positions of
 /// the nodes of one mesh by SmoothQuads.
@@ -22,6 +25,7 @@ struct MeshGrade
 {
   int inverted = 0;   ///< Number of inverted quads.
   double count = 0.0; ///< CountExcess.
+  double area = 0.0;  ///< Excess of AreaError over AcceptableAreaError.
   /// What the minimum scaled Jacobian lacks to GoodShape, in parts of the attainable one.
   double shape = 0.0;
   double variation = 0.0; ///< Excess over GoodVariation.
@@ -30,7 +34,7 @@ struct MeshGrade
   /// Returns whether shapes and sizes need no improvement.
   bool IsGood() const
   {
-    return this->inverted == 0 && this->shape == 0.0 && this->variation == 0.0;
+    return this->inverted == 0 && this->area == 0.0 && this->shape == 0.0 && this->variation == 0.0;
   }
   bool operator<(const MeshGrade& other) const;
 };
@@ -39,6 +43,9 @@ struct MeshGrade
 /// the minimum scaled Jacobian to compare with, if it exceeds that of the mesh: nodes that move along
 /// the boundary may lower the attainable one, which is no merit.
 MeshGrade GradeOf(const QuadResult& quads, double quadSize, int quadCount, double attainable = 0.0);
+
+/// Returns the relative difference of the area of a mesh from that of its domain.
+double AreaError(const QuadResult& quads);
 
 /// Returns the relative error of a requested number of quads beyond CountTolerance, 0 if a size was
 /// requested.

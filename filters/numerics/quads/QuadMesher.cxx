@@ -18,6 +18,7 @@
 #include "Quantisation.h"
 #include "SidePlacement.h"
 #include "SizeSearch.h"
+#include "SmoothLoops.h"
 #include "SplitAtSides.h"
 #include "Stopwatch.h"
 #include "TargetLengths.h"
@@ -47,6 +48,7 @@ public:
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
     , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
+    , RoundLoops(map, this->Curves, options.sides, options.prescribed, result.tMesh)
     , Sums(SumsOf(map, pairs, curves, options, result.tMesh))
   {
   }
@@ -102,7 +104,8 @@ public:
       result.quality = MeasureQuads(result.mesh, result.size);
       return;
     }
-    result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, progress);
+    result.smoothing =
+      SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, this->Options.hold, progress);
     MakeSymmetricAndPeriodic(result.mesh, this->Curves, this->Domain, result.smoothing);
     result.smoothSeconds += stopwatch.Lap();
     result.quality = MeasureQuads(result.mesh, result.size);
@@ -191,9 +194,18 @@ private:
     return problem;
   }
 
+  /// Returns the counts of a problem for a size, with enough edges around smooth loops.
+  EdgeCounts CountsOf(QuantisationProblem problem, double size, SearchEffort effort) const
+  {
+    EdgeCounts counts = Quantise(this->Result.tMesh, problem, effort);
+    return this->RoundLoops.RaiseTargets(size, counts.counts, problem)
+      ? Quantise(this->Result.tMesh, problem, effort)
+      : counts;
+  }
+
   EdgeCounts QuantiseFor(double size, SearchEffort effort) const
   {
-    return Quantise(this->Result.tMesh, this->ProblemFor(size), effort);
+    return this->CountsOf(this->ProblemFor(size), size, effort);
   }
 
   /// Returns the counts for the given size, or for the one that SearchSize finds.
@@ -256,7 +268,7 @@ private:
         {
           problem.weight[a] *= std::pow(problem.target[a], Preference);
         }
-        EdgeCounts counts = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
+        EdgeCounts counts = this->CountsOf(problem, factor * size, SearchEffort::Quick);
         if (counts.counts == tried || this->CountError(counts, wanted) > CountTolerance)
         {
           continue;
@@ -372,6 +384,7 @@ private:
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
   const GradedArcs Graded;
+  const SmoothLoops RoundLoops;
   const std::vector<CountSum> Sums; ///< Prescribed for sides of the boundary.
 };
 }

@@ -25,6 +25,7 @@ struct QuadOptions
   BoundarySides sides;          ///< Sides of the boundary; none: it has no names.
   CurvedBoundary curves;        ///< Curves that the boundary nodes are placed on.
   SidePrescriptions prescribed; ///< Counts, progressions and sizes of sides.
+  bool hold = false;            ///< Keeps inner singularities at their positions in smoothing.
   bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;

@@ -335,11 +335,11 @@ private:
 
 /// Smooths for uniform sizes. Displacements are large, so a coarser mesh is smoothed first, with
 /// singularities fixed and then free. Returns the number of steps on the mesh itself.
-int SmoothUniform(
-  const Level& level, const BoundaryCurves& curves, double sizePart, const Progress& progress)
+int SmoothUniform(const Level& level, const BoundaryCurves& curves, double sizePart, bool hold,
+  const Progress& progress)
 {
   const Smoother fixed(curves, false, sizePart);
-  const Smoother released(curves, true, sizePart);
+  const Smoother released(curves, !hold, sizePart);
   if (level.mesh.quads.size() > MaximumAlone && !level.lattices.empty())
   {
     CoarseQuads coarse(level.mesh, level.lattices);
@@ -347,7 +347,7 @@ int SmoothUniform(
     {
       const QuadEnergy energy = released.EnergyOf(coarse.mesh, coarse.weights);
       const Eigen::VectorXd before = energy.Unknowns();
-      SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, curves, sizePart,
+      SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, curves, sizePart, hold,
         progress.Part(0.0, 0.4));
       const Eigen::VectorXd moves = energy.WithImages(energy.Unknowns() - before);
       const std::vector<QuadPoint> start = level.mesh.points;
@@ -362,12 +362,12 @@ int SmoothUniform(
     }
   }
   const int steps = fixed.Smooth(level, {}, progress.Part(0.0, 0.5));
-  return steps + released.Smooth(level, {}, progress.Part(0.5, 1.0));
+  return hold ? steps : steps + released.Smooth(level, {}, progress.Part(0.5, 1.0));
 }
 }
 
 SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
-  std::optional<double> sizePart, const Progress& progress)
+  std::optional<double> sizePart, bool hold, const Progress& progress)
 {
   SmoothingReport report;
   const bool large = mesh.quads.size() > MaximumAlone;
@@ -389,8 +389,8 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const Smoother released(curves, true, sizePart.value_or(ConformalSizePart));
   if (sizePart)
   {
-    report.iterations = SmoothUniform(level, curves, *sizePart, progress.Part(0.0, 0.6));
-    report.released = true;
+    report.iterations = SmoothUniform(level, curves, *sizePart, hold, progress.Part(0.0, 0.6));
+    report.released = !hold;
   }
   else
   {
@@ -402,7 +402,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   }
   report.iterations +=
     ShapeSearch(report.released ? released : fixed, level).Run(progress.Part(0.6, 0.8));
-  if (!report.released && rankAtStart.inverted > 0 && RankOf(mesh).inverted > 0)
+  if (!report.released && !hold && rankAtStart.inverted > 0 && RankOf(mesh).inverted > 0)
   {
     report.released = true;
     mesh.points = ordered; // moves of the first attempt are in the way

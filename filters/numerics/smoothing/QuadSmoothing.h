@@ -28,6 +28,8 @@ struct SmoothingReport
 /// With target sizes other than those of the map, `sizePart` is the weight of sizes against shapes,
 /// between 0 and 1. Then singularities are free, and the start is kept only if its quads are positive
 /// and those of the smoothed mesh are not. With the sizes of the map it is absent.
+///
+/// `hold` keeps inner singularities fixed in any case.
 SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
-  std::optional<double> sizePart, const Progress& progress = {});
+  std::optional<double> sizePart, bool hold, const Progress& progress = {});
 }

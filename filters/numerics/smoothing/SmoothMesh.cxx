@@ -259,7 +259,7 @@ SmoothedMesh SmoothMesh(
     blocks = {};
   }
   SmoothQuads(quads, blocks, BoundaryCurves(reading.Loops),
-    options.uniform ? std::optional<double>(UniformSizePart) : std::nullopt,
+    options.uniform ? std::optional<double>(UniformSizePart) : std::nullopt, false,
     progress.Part(0.2, 1.0));
   result.after = MeasureQuads(quads, size);
   for (const QuadPoint& point : quads.points)

@@ -24,6 +24,7 @@ QuadOptions OptionsFor(
   options.sides = request.sides;
   options.curves = request.curves;
   options.prescribed = request.prescribed;
+  options.hold = request.hold;
   if (request.sizing == Sizing::Field)
   {
     RelativeSizes sizes = ComputeRelativeSizes(request.prescribedSizes, topology);
@@ -104,7 +105,7 @@ MergedQuads MakeMergedQuads(const PlanarDomain& domain, const ResolvedRequest& r
   Layout layout, const SeamlessMapOptions& map, const Progress& progress)
 {
   const bool coarse = request.merge == BlockMerge::Coarse;
-  const bool clean = coarse || request.merge == BlockMerge::Clean;
+  const bool clean = !request.hold && request.merge != BlockMerge::None;
   MergedQuads merged;
   merged.map = map;
   merged.options = OptionsFor(domain, request, *RequirePlanar(layout.map.topology));
@@ -118,11 +119,19 @@ MergedQuads MakeMergedQuads(const PlanarDomain& domain, const ResolvedRequest& r
   {
     Clean(domain, request, merged, progress.Part(0.2, 0.8));
   }
+  else if (request.merge != BlockMerge::None)
+  {
+    merged.events.emplace_back(
+      "Singularities were not moved to merge blocks, because they are held.");
+  }
   // Whether separatrices meet is decided with the sizes of the map, whose quads show it best.
   if (IsSizingFree(request))
   {
-    for (std::string& event : ChooseSizing(
-           merged.mesh, merged.options, clean ? progress.Part(0.8, 0.9) : making.Part(0.5, 1.0)))
+    const SizingFreedom freedom = request.hold ? SizingFreedom::Held
+      : request.singularities                  ? SizingFreedom::PreferHeld
+                                               : SizingFreedom::Free;
+    for (std::string& event : ChooseSizing(merged.mesh, merged.options, freedom,
+           clean ? progress.Part(0.8, 0.9) : making.Part(0.5, 1.0)))
     {
       merged.events.push_back(std::move(event));
     }

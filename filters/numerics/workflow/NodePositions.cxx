@@ -48,6 +48,22 @@ std::string DescribeMove(std::size_t row, const Point& from, const Point& to, do
 }
 }
 
+std::vector<SingularityMove> FindMoves(
+  const Configuration& from, const Configuration& to, double extent)
+{
+  constexpr double Rounding = 1e-9; // of the extent; coordinates of files have as many digits
+  std::vector<SingularityMove> moves;
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    const SingularityMove move{ i, from[i].position, to[i].position };
+    if (move.Distance() > Rounding * extent)
+    {
+      moves.push_back(move);
+    }
+  }
+  return moves;
+}
+
 NodePositions FindNodePositions(const SeamlessMap& map, const QuadMesh& mesh,
   const Configuration& singularities, const Configuration& start)
 {

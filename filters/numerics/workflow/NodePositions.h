@@ -4,11 +4,26 @@
 #include "SeamlessMap.h"
 #include "Singularity.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace crossfield
 {
+/// A node that is elsewhere than the position given for its singularity.
+struct SingularityMove
+{
+  std::size_t row = 0; ///< Row of the configuration.
+  Point from;
+  Point to;
+  double Distance() const { return (this->to - this->from).norm(); }
+};
+
+/// Returns the moves from one configuration to the same at other positions, without those that are
+/// rounding. `extent` is the extent of the domain.
+std::vector<SingularityMove> FindMoves(
+  const Configuration& from, const Configuration& to, double extent);
+
 /// Singularities at the positions of their nodes, and how far these are from where they started.
 struct NodePositions
 {

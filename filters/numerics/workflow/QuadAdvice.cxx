@@ -1,10 +1,15 @@
 #include "QuadAdvice.h"
 
 #include "DomainQueries.h"
+#include "MeshGrade.h"
 #include "OptimizerReport.h"
 #include "Outcome.h"
 #include "SmoothBoundary.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace crossfield
@@ -21,6 +26,12 @@ std::string Name(const Singularity& singularity)
 {
   return "The singularity at " + Describe(singularity.position) + " of quarter index " +
     std::to_string(singularity.quarterIndex);
+}
+
+double AreaOf(const QuadMesh& mesh, const std::array<int, 4>& quad)
+{
+  const auto at = [&](std::size_t corner) { return mesh.points[quad[corner]].InPlane(); };
+  return 0.5 * Cross(at(2) - at(0), at(3) - at(1));
 }
 
 std::string SplitAdvice(int count, int sign)
@@ -145,6 +156,90 @@ std::string DescribeInverted(
          << (singularitiesAreGiven ? "; choose other positions for the singularities nearby."
                                    : ".");
   }
+  return text.str();
+}
+
+std::string DescribeSizes(const ResolvedRequest& request, const QuadMesh& mesh)
+{
+  // Two thirds of the sizes are then within a factor of e of their mean.
+  constexpr double LargestDeviation = 1.0;
+  const bool isPrescribed = request.sizing == Sizing::Field || !request.layers.empty() ||
+    std::any_of(request.prescribed.begin(), request.prescribed.end(),
+      [](const SidePrescription& one) { return one.isGraded || one.size > 0.0; });
+  if (isPrescribed)
+  {
+    return "";
+  }
+  double count = 0.0;
+  double sum = 0.0;
+  double squares = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  {
+    const double area = AreaOf(mesh, mesh.quads[q]);
+    if (area > 0.0)
+    {
+      const double size = std::sqrt(area);
+      count += 1.0;
+      sum += std::log(size);
+      squares += std::log(size) * std::log(size);
+      smallest = std::min(smallest, size);
+      largest = std::max(largest, size);
+    }
+  }
+  const double mean = sum / count;
+  const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
+  const double variation = MeasureQuads(mesh, 1.0).variation;
+  if (!(std::max(deviation, variation) > LargestDeviation))
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << "Sizes of quads differ from " << smallest << " to " << largest
+       << ", with a standard deviation of their logarithm of " << deviation << "; ";
+  if (request.sizing != Sizing::Uniform)
+  {
+    text << "uniform sizes (Sizing, --sizing uniform) differ less, at the cost of shapes.";
+  }
+  else if (request.hold)
+  {
+    text << "they may differ less if singularities are not held (HoldSingularities, --hold).";
+  }
+  else
+  {
+    text << (request.singularities
+        ? "leave singularities out (--singularities), and others are chosen."
+        : "pairs of singularities (Pairs, --pairs) may make them more equal.");
+  }
+  return text.str();
+}
+
+std::string DescribeArea(const QuadResult& quads)
+{
+  if (AreaError(quads) <= AcceptableAreaError)
+  {
+    return "";
+  }
+  // Where an edge is long, it cuts off most.
+  double longest = 0.0;
+  Point place = Point::Zero();
+  for (const QuadBoundaryEdge& edge : quads.mesh.boundary)
+  {
+    const Point from = quads.mesh.points[edge.points[0]].InPlane();
+    const Point to = quads.mesh.points[edge.points[1]].InPlane();
+    if ((to - from).norm() > longest)
+    {
+      longest = (to - from).norm();
+      place = 0.5 * (from + to);
+    }
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << "The area of the quads differs by " << 100.0 * AreaError(quads)
+       << " % from that of the domain, because edges on curved sides are long, up to " << longest
+       << " near " << Describe(place) << "; use smaller quads (QuadSize, --size).";
   return text.str();
 }
 

@@ -5,6 +5,7 @@
 #include "HolonomyRepair.h"
 #include "PlanarDomain.h"
 #include "QuadMesher.h"
+#include "ResolvedRequest.h"
 
 #include <functional>
 #include <optional>
@@ -53,6 +54,15 @@ std::string CountInverted(const QuadQuality& quality);
 /// was found, otherwise other positions of given singularities.
 std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller,
   bool singularitiesAreGiven);
+
+/// Returns a sentence about sizes of quads that, by their mean, or whose logarithms have a standard
+/// deviation of more than 1, and the option that makes them more equal; an empty text if they have not, or if the request
+/// prescribes sizes.
+std::string DescribeSizes(const ResolvedRequest& request, const QuadMesh& mesh);
+
+/// Returns a sentence about the area that is lost, or covered beyond the boundary, where edges cut off
+/// curves; an empty text if this is less than AcceptableAreaError.
+std::string DescribeArea(const QuadResult& quads);
 
 /// Returns the clause that offers a repair of the holonomy that was found to work.
 std::string RepairAdvice(const HolonomyRepair& repair);

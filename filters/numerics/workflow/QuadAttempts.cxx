@@ -1,6 +1,7 @@
 #include "QuadAttempts.h"
 
 #include "LayerSteps.h"
+#include "LoopTurning.h"
 #include "MeshGrade.h"
 #include "OptimizerReport.h"
 #include "Outcome.h"
@@ -9,6 +10,7 @@
 #include "QuadSteps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -24,13 +26,36 @@ constexpr double LayerDistanceLimit = DistanceFactor * DistanceFactor * Distance
 /// Refinement of the second triangle mesh.
 constexpr double FinerMesh = 2.0;
 
+/// Returns whether a domain has a smooth inner loop, such as a circle or an ellipse, that is too small for
+/// twelve edges of the target size. Singularities would make it a polygon of few edges.
+bool HasSmallSmoothLoop(const PlanarDomain& domain, const QuadRequest& request)
+{
+  constexpr double EnoughEdges = 12.0; // as in SmoothLoops.cxx
+  const double size =
+    request.quadSize > 0.0 ? request.quadSize : std::sqrt(domain.Area() / request.quadCount);
+  return request.sizing.value_or(Sizing::Conformal) == Sizing::Conformal &&
+    std::any_of(domain.loops.begin() + 1, domain.loops.end(),
+      [&](const Loop& loop)
+      {
+        double length = 0.0;
+        bool isSmooth = true;
+        for (std::size_t i = 0; i < loop.size(); ++i)
+        {
+          length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+          isSmooth &= std::abs(TurningAt(loop, i)) <= DefaultCornerAngle;
+        }
+        return isSmooth && length < EnoughEdges * size;
+      });
+}
+
 /// Returns whether a domain with inner loops needs no singularities, and layers or sizes of sides are
-/// requested: around a profile that gives a C-grid or an O-grid.
+/// requested, or a smooth inner loop is small: around a profile that gives a C-grid or an O-grid.
 bool MayDoWithout(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   const bool isSized = std::any_of(request.prescribed.begin(), request.prescribed.end(),
     [](const SidePrescription& one) { return one.size > 0.0; });
-  if (request.singularities || (request.layers.empty() && !isSized) || domain.loops.size() < 2)
+  if (request.singularities || domain.loops.size() < 2 ||
+    (request.layers.empty() && !isSized && !HasSmallSmoothLoop(domain, request)))
   {
     return false;
   }

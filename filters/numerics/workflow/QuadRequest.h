@@ -5,6 +5,7 @@
 #include "BoundarySides.h"
 #include "CornerRows.h"
 #include "HolonomyRepair.h"
+#include "NodePositions.h"
 #include "PairedSides.h"
 #include "PrescribedSizes.h"
 #include "QuadMesher.h"
@@ -53,6 +54,7 @@ struct QuadRequest
   double clearance = 0.0;
   int pairs = 0;          ///< Maximum number of pairs added to chosen singularities.
   bool capCorners = true; ///< As in SeamlessMapOptions.
+  bool hold = false;      ///< Keeps the nodes of given singularities where these are.
   bool repairHolonomy = false;
   /// Part of the way to the positions without holonomy defects, 0 to 1, that repairHolonomy moves
   /// the singularities. About 1 − repairPart of the defects remains.
@@ -107,6 +109,8 @@ struct QuadWorkflowResult
 {
   Configuration singularities; ///< Given or chosen, at the positions of their nodes.
   double moved = 0.0;          ///< Maximum distance of a node from the position given or chosen.
+  /// Moves of given singularities; absent if they were chosen.
+  std::optional<std::vector<SingularityMove>> moves;
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
   int ambiguousCorners = 0; ///< Corners that are not prescribed and within AmbiguousAngle of a tie.
   /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh was

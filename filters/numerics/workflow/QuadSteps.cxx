@@ -125,7 +125,7 @@ void QuadSteps::Split()
     this->AddEvents(split.events);
   }
   RequireNodes(this->Domain, this->Result.singularities);
-  this->BeforeRepair = this->Result.singularities;
+  this->Start = this->BeforeRepair = this->Result.singularities;
 }
 
 void QuadSteps::RepairOnRequest(const Progress& progress)
@@ -250,6 +250,11 @@ void QuadSteps::MakeQuadsOf(Layout layout, const Progress& progress)
   this->Result.singularities = std::move(nodes.singularities);
   this->Result.moved = std::max(merged.moved, nodes.moved);
   this->AddEvents(nodes.events);
+  if (this->Request.singularities)
+  {
+    this->Result.moves =
+      FindMoves(this->Start, this->Result.singularities, this->Domain.Diagonal());
+  }
   if (quads.smoothing.isAsymmetric)
   {
     this->AddEvent(

@@ -48,6 +48,7 @@ private:
   ResolvedRequest Request;
   const int Total; ///< Requested number of quads.
   SeamlessMapOptions MapOptions;
+  Configuration Start;        ///< The singularities that were given or chosen, split on request.
   Configuration BeforeRepair; ///< The singularities before the holonomy was repaired.
   QuadWorkflowResult Result;
   QuadSeconds& Seconds;

@@ -20,6 +20,17 @@ namespace crossfield
 {
 namespace
 {
+/// Throws Error if singularities are to be held and moved.
+void RequireOneWish(const QuadRequest& request)
+{
+  if (request.hold && request.repairHolonomy)
+  {
+    throw Error("The repair of the holonomy moves singularities, which cannot be held at the same "
+                "time; turn off one of both (RepairHolonomy, --repair-holonomy; "
+                "HoldSingularities, --hold).");
+  }
+}
+
 /// Returns whether the choice of the singularities was so slow that it is not repeated for advice.
 bool IsChoiceSlow(const QuadWorkflowResult& result)
 {
@@ -27,7 +38,8 @@ bool IsChoiceSlow(const QuadWorkflowResult& result)
   return result.optimum && result.optimum->solves > SlowSolves;
 }
 
-/// Adds warnings about the choice, the number of quads and nearly degenerate quads.
+/// Adds warnings about the choice, the number of quads, their sizes and area, and nearly degenerate
+/// quads.
 void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
 {
   if (result.optimum && !result.optimum->converged && !result.optimum->aborted)
@@ -40,10 +52,13 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
       std::to_string(request.quadCount) + " was found for these separatrices; " +
       std::to_string(result.quads.mesh.quads.size()) + " is the nearest; request another number.");
   }
-  const std::string worst = DescribeWorstQuad(result.quads.mesh, result.quads.quality);
-  if (!worst.empty())
+  for (const std::string& warning : { DescribeSizes(request, result.quads.mesh),
+         DescribeArea(result.quads), DescribeWorstQuad(result.quads.mesh, result.quads.quality) })
   {
-    result.warnings.push_back(worst);
+    if (!warning.empty())
+    {
+      result.warnings.push_back(warning);
+    }
   }
 }
 
@@ -112,6 +127,7 @@ void TryWithoutTips(const PlanarDomain& polygons, const QuadRequest& requested,
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& polygons, const QuadRequest& requested, const Progress& progress)
 {
+  RequireOneWish(requested);
   PreparedRequest prepared = Prepare(polygons, requested);
   const Progress trial = progress.Part(1.0, 1.0);
   Outcome<QuadWorkflowResult> outcome =

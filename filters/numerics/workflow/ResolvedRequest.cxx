@@ -77,7 +77,7 @@ ResolvedRequest Resolve(const PlanarDomain& domain, const QuadRequest& request)
 
 bool IsSizingFree(const ResolvedRequest& request)
 {
-  return !request.sizing && !request.singularities && request.layers.empty() &&
+  return !request.sizing && request.layers.empty() &&
     std::none_of(request.prescribed.begin(), request.prescribed.end(),
       [](const SidePrescription& one) { return one.isGraded; });
 }

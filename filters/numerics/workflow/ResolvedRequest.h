@@ -24,8 +24,7 @@ struct ResolvedRequest : QuadRequest
 /// with a count, a progression or a size does not exist, or one of them is prescribed twice.
 ResolvedRequest Resolve(const PlanarDomain& domain, const QuadRequest& request);
 
-/// Returns whether sizes may become uniform (SizingChoice.h): no sizing is requested, singularities
-/// are chosen, and neither layers nor progressions of sides prescribe sizes. Layers need the shapes of
+/// Returns whether sizes may become uniform (SizingChoice.h): no sizing is requested, and neither layers nor progressions of sides prescribe sizes. Layers need the shapes of
 /// conformal sizes: each row is as far from a rectangle as the quads that it divides.
 bool IsSizingFree(const ResolvedRequest& request);
 }

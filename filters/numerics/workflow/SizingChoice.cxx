@@ -3,22 +3,68 @@
 #include "Candidates.h"
 #include "MeshGrade.h"
 #include "OptimizerReport.h"
+#include "TargetLengths.h"
 
 #include <array>
 #include <utility>
 
 namespace crossfield
 {
-std::vector<std::string> ChooseSizing(
-  MeshedLayout& meshed, QuadOptions& options, const Progress& progress)
+namespace
+{
+/// Part of the way to uniform sizes, and whether singularities move on it.
+struct SizingStep
+{
+  double sizePart = 0.5;
+  bool hold = false;
+};
+
+/// Returns whether a mesh is so good that given singularities need not move for a better one.
+bool IsGoodInPlace(const MeshGrade& grade)
+{
+  // Of sizes, relative to their mean: most are within a factor of two of it.
+  constexpr double TolerableVariation = 0.5;
+  return grade.inverted == 0 && grade.area <= 0.0 && grade.shape <= 0.0 &&
+    grade.variation <= TolerableVariation - GoodVariation;
+}
+
+/// Returns the steps to try, in this order.
+std::vector<SizingStep> StepsFor(SizingFreedom freedom)
 {
   // The smaller the weight, the better the shapes and the farther from uniform the sizes. A smaller
   // one is tried where larger ones cost shape.
   constexpr std::array<double, 3> SizeParts = { 0.5, 0.2, 0.05 };
+  std::vector<SizingStep> steps;
+  for (const bool hold : { true, false })
+  {
+    const bool isTried = hold ? freedom != SizingFreedom::Free : freedom != SizingFreedom::Held;
+    for (const double part : SizeParts)
+    {
+      if (isTried)
+      {
+        steps.push_back({ part, hold });
+      }
+    }
+  }
+  return steps;
+}
+}
+
+std::vector<std::string> ChooseSizing(
+  MeshedLayout& meshed, QuadOptions& options, SizingFreedom freedom, const Progress& progress)
+{
+  const std::vector<SizingStep> steps = StepsFor(freedom);
   const double variation = meshed.quads.quality.variation;
   const double bound = meshed.quads.quality.bound;
+  // A requested size stands for a number of quads too: with few quads, uniform sizes may miss it by far.
+  const double wanted = freedom != SizingFreedom::Free && options.quadSize > 0.0
+    ? AreaOf(meshed.quads.tMesh) / options.quadSize / options.quadSize
+    : 0.0;
   const auto gradeOf = [&](const QuadResult& quads)
-  { return GradeOf(quads, options.quadSize, options.quadCount, bound); };
+  {
+    return wanted >= 1.0 ? GradeOf(quads, 0.0, static_cast<int>(wanted), bound)
+                         : GradeOf(quads, options.quadSize, options.quadCount, bound);
+  };
   MeshGrade best = gradeOf(meshed.quads);
   bool isChanged = false;
   const QuadOptions given = options;
@@ -26,7 +72,8 @@ std::vector<std::string> ChooseSizing(
   {
     QuadOptions other = given;
     other.sizes.sizing = Sizing::Uniform;
-    other.sizePart = SizeParts[i];
+    other.sizePart = steps[i].sizePart;
+    other.hold = steps[i].hold;
     return other;
   };
   if (best.IsGood())
@@ -36,10 +83,10 @@ std::vector<std::string> ChooseSizing(
   const std::size_t quads = meshed.quads.mesh.quads.size();
   ProgressOfParts shared(progress);
   AcceptFirst(
-    SizeParts.size(), CandidateBatch(quads),
+    steps.size(), CandidateBatch(quads),
     [&](std::size_t i)
     {
-      const double done = static_cast<double>(i) / SizeParts.size();
+      const double done = static_cast<double>(i) / static_cast<double>(steps.size());
       return MakeQuads(meshed.layouts, optionsFor(i), shared.Get().Part(done, 1.0));
     },
     [&](std::size_t i, QuadResult uniform)
@@ -53,7 +100,10 @@ std::vector<std::string> ChooseSizing(
         options = std::move(other);
         isChanged = true;
       }
-      return best.shape <= 0.0;
+      const bool movesNext = i + 1 < steps.size() && steps[i].hold && !steps[i + 1].hold;
+      return freedom == SizingFreedom::PreferHeld && steps[i].hold
+        ? IsGoodInPlace(movesNext ? best : grade)
+        : grade.shape <= 0.0;
     });
   if (!isChanged)
   {

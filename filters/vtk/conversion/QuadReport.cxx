@@ -199,6 +199,33 @@ void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFi
 }
 
 //------------------------------------------------------------------------------
+void WriteMoves(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
+  vtkFieldData* data)
+{
+  if (!result.moves)
+  {
+    return;
+  }
+  using Move = crossfield::SingularityMove;
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::MoveSingularity, *result.moves,
+    [](const Move& move) { return static_cast<int>(move.row) + 1; });
+  const auto addPlaces = [&](const char* name, crossfield::Point Move::*place)
+  {
+    auto places = ColumnWriting::NewArray<vtkDoubleArray>(
+      data, name, 3, static_cast<vtkIdType>(result.moves->size()));
+    for (std::size_t i = 0; i < result.moves->size(); ++i)
+    {
+      places->SetTypedTuple(
+        static_cast<vtkIdType>(i), plane.ToSpace((*result.moves)[i].*place).data());
+    }
+  };
+  addPlaces(names::MoveFrom, &Move::from);
+  addPlaces(names::MoveTo, &Move::to);
+  ColumnWriting::AddColumn<vtkDoubleArray>(
+    data, names::MoveDistance, *result.moves, [](const Move& move) { return move.Distance(); });
+}
+
+//------------------------------------------------------------------------------
 std::string DescribeQuads(const QuadResult& result)
 {
   std::ostringstream text;

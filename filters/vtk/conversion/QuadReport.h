@@ -27,6 +27,10 @@ void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* dat
 /** Writes the attempts, two texts for each. */
 void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFieldData* data);
 
+/** Writes the moves of given singularities. */
+void WriteMoves(const crossfield::QuadWorkflowResult& result, const crossfield::DomainPlane& plane,
+  vtkFieldData* data);
+
 /** Returns, without a full stop, the numbers of quads and blocks and the minimum angle. */
 std::string DescribeQuads(const crossfield::QuadResult& result);
 

@@ -23,7 +23,7 @@ TEST(MeshGrade, ComparesInvertedThenCountThenShapeThenSizesThenBlocks)
 {
   const auto grade = [](int inverted, double count, double shape, double variation,
                        std::size_t blocks) {
-    return MeshGrade{ inverted, count, shape, variation, blocks };
+    return MeshGrade{ inverted, count, 0.0, shape, variation, blocks };
   };
   const MeshGrade best = grade(0, 0.0, 0.0, 0.0, 5);
   EXPECT_TRUE(best.IsGood());
@@ -37,6 +37,10 @@ TEST(MeshGrade, ComparesInvertedThenCountThenShapeThenSizesThenBlocks)
     last = &other;
   }
   EXPECT_FALSE(best < best);
+  const MeshGrade withoutArea{ 0, 0.0, 0.1, 0.0, 0.0, 1 };
+  EXPECT_TRUE(others[2] < withoutArea);
+  EXPECT_TRUE(withoutArea < others[3]);
+  EXPECT_FALSE(withoutArea.IsGood());
   EXPECT_FALSE(others[1].IsGood());
   EXPECT_FALSE(others[2].IsGood());
   EXPECT_FALSE(others[4].IsGood());

@@ -58,15 +58,62 @@ TEST(SizingChoice, RetainsAGoodConformalMesh)
   }
 }
 
-TEST(SizingChoice, DoesNotMoveGivenSingularities)
+/// Returns a ring with singularities at places whose conformal sizes vary by a factor of hundreds.
+QuadRequest WildRing()
 {
   QuadRequest request;
-  request.singularities = Mesh(Plate(), Sizing::Conformal).singularities;
-  request.quadCount = 600;
-  const QuadWorkflowResult result = MakeQuadMesh(Plate(), request);
-  EXPECT_GT(result.quads.quality.variation, GoodVariation);
-  EXPECT_LT(result.moved, 1e-9);
-  EXPECT_FALSE(HasEvent(result));
+  request.quadCount = 800;
+  request.singularities = Configuration{ { { 0.7, 0.1 }, 1 }, { { -0.7, 0.0 }, -1 },
+    { { 0.1, 0.72 }, 1 }, { { 0.05, -0.75 }, -1 } };
+  return request;
+}
+
+PlanarDomain Ring()
+{
+  return MakePlanarDomain({ RegularPolygon(96, 1.0), RegularPolygon(64, 0.4) });
+}
+
+TEST(SizingChoice, MakesSizesUniformAroundGivenSingularities)
+{
+  QuadRequest request = WildRing();
+  request.sizing = Sizing::Conformal;
+  const QuadWorkflowResult conformal = MakeQuadMesh(Ring(), request);
+  EXPECT_TRUE(std::any_of(conformal.warnings.begin(), conformal.warnings.end(),
+    [](const std::string& warning)
+    { return warning.find("area of the quads") != std::string::npos; }));
+  request.sizing.reset();
+  const QuadWorkflowResult result = MakeQuadMesh(Ring(), request);
+  EXPECT_LT(result.quads.quality.variation, 0.5 * conformal.quads.quality.variation);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.6);
+  EXPECT_LT(AreaError(result.quads), AcceptableAreaError);
+  EXPECT_TRUE(HasEvent(result));
+  EXPECT_TRUE(result.warnings.empty());
+  // Shapes and sizes are good without moves.
+  ASSERT_TRUE(result.moves);
+  EXPECT_TRUE(result.moves->empty());
+}
+
+TEST(SizingChoice, HoldsSingularitiesOnRequest)
+{
+  QuadRequest request = WildRing();
+  request.sizing = Sizing::Uniform;
+  const QuadWorkflowResult released = MakeQuadMesh(Ring(), request);
+  ASSERT_TRUE(released.moves);
+  ASSERT_FALSE(released.moves->empty());
+  for (const SingularityMove& move : *released.moves)
+  {
+    EXPECT_EQ(move.from, (*request.singularities)[move.row].position);
+    EXPECT_EQ(move.to, released.singularities[move.row].position);
+  }
+  request.hold = true;
+  request.merge = BlockMerge::Clean;
+  const QuadWorkflowResult held = MakeQuadMesh(Ring(), request);
+  EXPECT_TRUE(held.moves->empty());
+  EXPECT_LT(held.moved, 1e-9);
+  EXPECT_EQ(held.quads.quality.inverted, 0);
+  request.repairHolonomy = true;
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(Ring(), request); }, { "--hold", "--repair-holonomy" }));
 }
 }
 }
