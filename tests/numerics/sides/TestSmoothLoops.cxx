@@ -4,6 +4,7 @@
 
 #include "MakePlanarDomain.h"
 #include "QuadWorkflow.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -59,12 +60,7 @@ TEST(SmoothLoops, PrescribedNumbersAreMet)
   const PlanarDomain domain =
     MakePlanarDomain({ { { -10.0, -10.0 }, { 10.0, -10.0 }, { 10.0, 10.0 }, { -10.0, 10.0 } },
       RegularPolygon(64, 1.0) });
-  request.sides = NameSides(domain);
-  const auto hole = std::find(request.sides.names.begin(), request.sides.names.end(), "hole0");
-  SidePrescription eight;
-  eight.side = static_cast<int>(hole - request.sides.names.begin());
-  eight.count = 8;
-  request.prescribed = { eight };
+  request.sideRequests = { CountOf("hole0", 8) };
   EXPECT_EQ(EdgesAround(MakeQuadMesh(domain, request).quads.mesh, 1), 8);
 }
 }
