@@ -142,7 +142,8 @@ def check_orders(make, exact, source):
 FOUR = [(0.5, 0.5, 1), (-0.5, 0.5, 1), (-0.5, -0.5, 1), (0.5, -0.5, 1)]
 
 # A solver converges on a polygon of 16 points as on the disk, and on a ring of 12 and 24.
-check_orders(lambda count, order: crossfield.quads(circle(16), FOUR, count=count, curves="auto", order=order),
+check_orders(lambda count, order: crossfield.quads(circle(16), FOUR, count=count, curves="auto", order=order,
+                                                   sizing="conformal"),
              disk_solution, disk_source)
 check_orders(lambda count, order: crossfield.quads(ring(circle(24, 2), circle(12)), [], count=count, order=order,
                                                    curves={"wall": "circle", "hole": "circle"}),
