@@ -2,6 +2,7 @@
 import base64
 import json
 import math
+import os
 import re
 import struct
 import unittest

@@ -41,7 +41,7 @@ class Sweeps(ProgramTest):
         write_domain(self.folder / "plain.vtp", [RECTANGLE])
 
     def quads(self, domain, file, *arguments):
-        return json.loads(self.succeed("quads", domain, "-o", file, "--quads", "60", "--json", "-", *arguments))
+        return json.loads(self.succeed("quads", domain, "-o", file, "--quads", "100", "--json", "-", *arguments))
 
     def stresses(self, mesh, supports, loads):
         """Returns the stresses that CalculiX finds, six at each integration point, those along the axes first."""

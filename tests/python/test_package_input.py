@@ -108,7 +108,7 @@ def test_drawings():
 
     open_svg = os.path.join(FOLDER, "open.svg")
     with open(open_svg, "w", encoding="utf-8") as file:
-        file.write("<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0H1V1H0V0.01'/></svg>")
+        file.write("<svg xmlns='http://www.w3.org/2000/svg'><path fill='none' d='M0 0H1V1H0V0.01'/></svg>")
     expect_error("is open at (0, ", crossfield.read, open_svg)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

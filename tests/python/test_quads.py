@@ -105,7 +105,7 @@ class Quads(unittest.TestCase):
         self.assertEqual(mesh.singularities.corners.GetNumberOfPoints(), 10)
         self.assertEqual(mesh.report["events"], mesh.singularities.events)
         self.assertGreater(mesh.report["seconds"]["choose"], 0)
-        again = crossfield.quads("builtin:star", mesh.singularities, count=300,
+        again = crossfield.quads("builtin:star", mesh.singularities, count=300, sizing="conformal",
                                  corners=mesh.singularities.corners, cap_corners=False)
         self.assertEqual(again.points.shape, mesh.points.shape)
         self.assertLess(np.abs(again.points - mesh.points).max(), 1e-9)

@@ -183,7 +183,7 @@ std::vector<std::size_t> WithoutCovered(const std::vector<DrawingPiece>& pieces,
       }
     }
   }
-  if (!isClosed)
+  if (!isClosed || used.empty())
   {
     return given;
   }

@@ -175,6 +175,12 @@ TEST(PieceChains, LeaveOutPiecesThatLieOnOthers)
       random.Shuffle(pieces);
     }
   }
+  // A way there and back alone is no boundary.
+  EXPECT_TRUE(Refuses(
+    [] {
+      ChainPieces({ LinePiece({ 0, 0 }, { 1, 0 }), LinePiece({ 1, 0 }, { 0, 0 }) }, 1e-4);
+    },
+    { "open at" }));
   // Squares that share a part of a side are no drawing of one part: nothing is left out.
   std::vector<DrawingPiece> pieces = Part({ 0, 0 });
   for (const auto& [first, last] :
