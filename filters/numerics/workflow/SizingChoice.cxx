@@ -19,7 +19,8 @@ struct SizingStep
   bool hold = false;
 };
 
-/// Returns whether a mesh is so good that given singularities need not move for a better one.
+/// Returns whether a mesh of given singularities is so good that neither its sizes need to change nor
+/// singularities to move for a better one.
 bool IsGoodInPlace(const MeshGrade& grade)
 {
   // Of sizes, relative to their mean: most are within a factor of two of it.
@@ -76,7 +77,7 @@ std::vector<std::string> ChooseSizing(
     other.hold = steps[i].hold;
     return other;
   };
-  if (best.IsGood())
+  if (best.IsGood() || (freedom != SizingFreedom::Free && IsGoodInPlace(best)))
   {
     return {};
   }
