@@ -22,7 +22,7 @@ import random_domains
 import simple_loops
 import survey
 
-QUADS = 1000
+QUAD_COUNT = 1000
 
 
 def distance_to(place, loops):
@@ -47,7 +47,7 @@ def configuration(seed, loops, required):
     """Returns the kind and rows x, y, quarter index; no rows if they have no place."""
     chance, kind = random.Random(seed), list(KINDS)[(seed // 3) % len(KINDS)]
     apart, (low, high) = KINDS[kind]
-    quad = math.sqrt(area_of(loops) / QUADS)
+    quad = math.sqrt(area_of(loops) / QUAD_COUNT)
     quarters = [int(math.copysign(1, required))] * abs(required)
     pairs = chance.randint(1, 3) if kind == "pairs" else chance.randint(0, 1)
     quarters += [1, -1] * pairs
@@ -86,7 +86,7 @@ def run(program, folder, seed, options):
     given = pathlib.Path(folder) / f"{name}_{kind}.csv"
     with open(given, "w", newline="") as file:
         csv.writer(file).writerows([("x", "y", "quarter_index"), *rows])
-    result = survey.mesh(program, path, 100, ("-s", str(given), "--quads", str(QUADS), *options))
+    result = survey.mesh(program, path, 100, ("-s", str(given), "--quads", str(QUAD_COUNT), *options))
     return {**result, "name": f"{name} {kind} {len(rows)}"}
 
 
