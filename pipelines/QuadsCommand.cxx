@@ -300,6 +300,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "conformal: the sizes of the cross field, with the best shapes; uniform: the same size "
       "everywhere, for which singularities may move; field NAME: the lengths in a point array of the "
       "domain, or with --quads their proportions; auto: conformal if sizes are nearly uniform, "
+      "or singularities are given and sizes not very different, "
       "otherwise uniform as far as the worst quad stays good; default: auto")
     ->expected(1, 2)
     ->type_name("WORD");

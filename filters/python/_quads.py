@@ -250,8 +250,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
                    singularities may move; "field": the lengths in a point array of the domain, or their
                    proportions if `count` is given; with the last two, chosen singularities are moved to where
-                   sizes are nearest to these; "auto": conformal if sizes are nearly uniform, otherwise uniform as
-                   far as the worst quad stays good
+                   sizes are nearest to these; "auto": conformal if sizes are nearly uniform, or singularities are
+                   given and sizes not very different, otherwise uniform as far as the worst quad stays good
     size_array     name of this array
     merge          separatrices that nearly meet: "none" keeps them apart; "clean" moves singularities until they
                    meet, as far as the quads stay as good; "coarse" merges them in place, for the fewest

@@ -71,9 +71,8 @@
  * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
- * singularities had to move), `MoveSingularity`,
- * `MoveFrom`, `MoveTo` and `MoveDistance` (moves of given singularities: number, from 1, places and
- * distance), `Moved` (maximum distance of a node from the position of its
+ * singularities had to move), `MoveSingularity`, `MoveFrom`, `MoveTo` and `MoveDistance` (moves of given
+ * singularities: number, from 1, places and distance), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
  * `SideNames`, `SideEdges` and `SideLengths` (name, number of edges and length of each side),
  * `CurveSides`, `CurveEdges` and `CurveMoved` (names of the sides, number of edges and
@@ -126,7 +125,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Connects port 1, the singularities, port 2, the corners, or port 3, the table of sides, or sets it to a data object. */
+  /**
+   * Connects port 1, the singularities, port 2, the corners, or port 3, the table of sides, or sets it to a
+   * data object.
+   */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
   vtkCrossFieldPortMacro(SideTable, 3);
@@ -169,8 +171,9 @@ public:
    * UniformSizes of vtkSingularityOptimizer.
    *
    * SizingAutomatic retains the sizes of the map if the standard deviation of the sizes is at most
-   * 0.12 of their mean; otherwise it moves nodes towards uniform sizes as far as the worst quad stays
-   * good. Given singularities stay in place if that is good enough. Default: SizingAutomatic.
+   * 0.12 of their mean, or 0.5 if singularities are given, and shapes are good; otherwise it moves nodes
+   * towards uniform sizes as far as the worst quad stays good, those of given singularities last.
+   * Default: SizingAutomatic.
    */
   vtkSetClampMacro(Sizing, int, SizingConformal, SizingAutomatic);
   vtkGetMacro(Sizing, int);

@@ -133,8 +133,9 @@ std::vector<std::size_t> WithoutCovered(const std::vector<DrawingPiece>& pieces,
   const std::vector<std::size_t>& given, const std::vector<bool>& hasCopy, double tolerance,
   std::vector<std::string>& warnings)
 {
-  // Each of these pieces is compared with all others.
+  // Each candidate is compared with all others, after each piece that is left out: some seconds.
   constexpr std::size_t MostComparisons = 100000000;
+  std::size_t comparisons = 0;
   std::vector<std::size_t> used = given;
   std::size_t covered = 0;
   std::string first;
@@ -159,7 +160,8 @@ std::vector<std::size_t> WithoutCovered(const std::vector<DrawingPiece>& pieces,
         candidates.push_back(piece);
       }
     }
-    if (candidates.size() * used.size() > MostComparisons)
+    comparisons += (candidates.size() + 1) * used.size();
+    if (comparisons > MostComparisons)
     {
       break;
     }

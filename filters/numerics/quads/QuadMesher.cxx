@@ -48,7 +48,7 @@ public:
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
     , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
-    , RoundLoops(map, this->Curves, options.sides, options.prescribed, result.tMesh)
+    , LoopsWithoutCorners(map, this->Curves, options.sides, options.prescribed, result.tMesh)
     , Sums(SumsOf(map, pairs, curves, options, result.tMesh))
   {
   }
@@ -198,7 +198,7 @@ private:
   EdgeCounts CountsOf(QuantisationProblem problem, double size, SearchEffort effort) const
   {
     EdgeCounts counts = Quantise(this->Result.tMesh, problem, effort);
-    return this->RoundLoops.RaiseTargets(size, counts.counts, problem)
+    return this->LoopsWithoutCorners.RaiseTargets(size, counts.counts, problem)
       ? Quantise(this->Result.tMesh, problem, effort)
       : counts;
   }
@@ -384,7 +384,7 @@ private:
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
   const GradedArcs Graded;
-  const SmoothLoops RoundLoops;
+  const SmoothLoops LoopsWithoutCorners;
   const std::vector<CountSum> Sums; ///< Prescribed for sides of the boundary.
 };
 }

@@ -11,9 +11,6 @@ namespace crossfield
 {
 namespace
 {
-/// Edges around a smooth loop that show its shape: a circle loses 5 % of its area.
-constexpr int EnoughEdges = 12;
-
 bool HasCorners(const MeshTopology& topology, const BoundaryLoop& loop)
 {
   return std::any_of(loop.edges.begin(), loop.edges.end(),

@@ -3,15 +3,17 @@
 #include "BoundarySides.h"
 #include "MeshBoundary.h"
 #include "QuantisationProblem.h"
+#include "SeamlessMap.h"
 #include "SidePrescription.h"
 #include "TMesh.h"
-
-#include "SeamlessMap.h"
 
 #include <vector>
 
 namespace crossfield
 {
+/// Edges around a smooth loop that show its shape: a circle loses 5 % of its area.
+constexpr int EnoughEdges = 12;
+
 /// Loops of the boundary without corners, such as circles: with the few edges that conformal sizes may
 /// leave for one, it would become a square.
 class SmoothLoops

@@ -34,15 +34,14 @@ constexpr DescentLimits BesideCoarser = { 5, 1e-2, 1e-7 };
 /// Maximum number of steps that untangle quads for one ε.
 constexpr int StepsOfRound = 100;
 
-/// Returns the maximum number of steps that untangle the quads of an energy. Quads that can be untangled
+/// Returns the maximum number of steps that untangle quads. Quads that can be untangled
 /// took at most 200 steps in all examples. The steps of large meshes are limited to two seconds.
-int MaximumUntangling(const QuadEnergy& energy)
+int MaximumUntangling(Eigen::Index unknowns)
 {
   constexpr Eigen::Index MaximumSteps = 2000;
   constexpr Eigen::Index Work = 5000000; // unknowns, two of each point, times steps
-  const Eigen::Index unknowns = std::max<Eigen::Index>(energy.Curvature().size(), 1);
-  return std::clamp(
-    static_cast<int>(std::min(MaximumSteps, Work / unknowns)), StepsOfRound, int(MaximumSteps));
+  const Eigen::Index steps = Work / std::max<Eigen::Index>(unknowns, 1);
+  return static_cast<int>(std::clamp<Eigen::Index>(steps, StepsOfRound, MaximumSteps));
 }
 
 /// A mesh of the hierarchy with its weights and lattices.
@@ -178,7 +177,7 @@ private:
     // χ decreases by a tenth at least per round: to 2e-3 of its start in all.
     constexpr int Rounds = 60;
     constexpr double SmallestDecrease = 0.1;
-    const int maximumSteps = MaximumUntangling(energy);
+    const int maximumSteps = MaximumUntangling(unknowns.size());
     int steps = 0;
     double minimum = energy.MinimumDeterminant(unknowns);
     double epsilon = std::sqrt(1e-4 + 0.25 * minimum * minimum);

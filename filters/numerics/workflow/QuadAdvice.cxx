@@ -159,8 +159,9 @@ std::string DescribeInverted(
   return text.str();
 }
 
-std::string DescribeSizes(const ResolvedRequest& request, const QuadMesh& mesh)
+std::string DescribeSizes(const ResolvedRequest& request, const QuadResult& quads)
 {
+  const QuadMesh& mesh = quads.mesh;
   // Two thirds of the sizes are then within a factor of e of their mean.
   constexpr double LargestDeviation = 1.0;
   const bool isPrescribed = request.sizing == Sizing::Field || !request.layers.empty() ||
@@ -190,8 +191,7 @@ std::string DescribeSizes(const ResolvedRequest& request, const QuadMesh& mesh)
   }
   const double mean = sum / count;
   const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
-  const double variation = MeasureQuads(mesh, 1.0).variation;
-  if (!(std::max(deviation, variation) > LargestDeviation))
+  if (!(std::max(deviation, quads.quality.variation) > LargestDeviation))
   {
     return "";
   }
@@ -201,7 +201,7 @@ std::string DescribeSizes(const ResolvedRequest& request, const QuadMesh& mesh)
        << ", with a standard deviation of their logarithm of " << deviation << "; ";
   if (request.sizing != Sizing::Uniform)
   {
-    text << "uniform sizes (Sizing, --sizing uniform) differ less, at the cost of shapes.";
+    text << "uniform sizes (Sizing, --sizing uniform) may differ less, at the cost of shapes.";
   }
   else if (request.hold)
   {
@@ -210,7 +210,7 @@ std::string DescribeSizes(const ResolvedRequest& request, const QuadMesh& mesh)
   else
   {
     text << (request.singularities
-        ? "leave singularities out (--singularities), and others are chosen."
+        ? "with others, which are chosen without any (--singularities), they may differ less."
         : "pairs of singularities (Pairs, --pairs) may make them more equal.");
   }
   return text.str();

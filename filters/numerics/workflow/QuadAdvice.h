@@ -55,10 +55,10 @@ std::string CountInverted(const QuadQuality& quality);
 std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller,
   bool singularitiesAreGiven);
 
-/// Returns a sentence about sizes of quads that, by their mean, or whose logarithms have a standard
-/// deviation of more than 1, and the option that makes them more equal; an empty text if they have not, or if the request
-/// prescribes sizes.
-std::string DescribeSizes(const ResolvedRequest& request, const QuadMesh& mesh);
+/// Returns a sentence about very different sizes of quads, which have a standard deviation of more than
+/// their mean, or 1 in their logarithms, and the option that may make them more equal; an empty text for
+/// others, or if the request prescribes sizes.
+std::string DescribeSizes(const ResolvedRequest& request, const QuadResult& quads);
 
 /// Returns a sentence about the area that is lost, or covered beyond the boundary, where edges cut off
 /// curves; an empty text if this is less than AcceptableAreaError.

@@ -1,13 +1,13 @@
 #include "QuadAttempts.h"
 
 #include "LayerSteps.h"
-#include "LoopTurning.h"
 #include "MeshGrade.h"
 #include "OptimizerReport.h"
 #include "Outcome.h"
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
 #include "QuadSteps.h"
+#include "SmoothLoops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,24 +27,17 @@ constexpr double LayerDistanceLimit = DistanceFactor * DistanceFactor * Distance
 constexpr double FinerMesh = 2.0;
 
 /// Returns whether a domain has a smooth inner loop, such as a circle or an ellipse, that is too small for
-/// twelve edges of the target size. Singularities would make it a polygon of few edges.
+/// EnoughEdges of the target size. Singularities would make it a polygon of few edges.
 bool HasSmallSmoothLoop(const PlanarDomain& domain, const QuadRequest& request)
 {
-  constexpr double EnoughEdges = 12.0; // as in SmoothLoops.cxx
   const double size =
     request.quadSize > 0.0 ? request.quadSize : std::sqrt(domain.Area() / request.quadCount);
   return request.sizing.value_or(Sizing::Conformal) == Sizing::Conformal &&
     std::any_of(domain.loops.begin() + 1, domain.loops.end(),
       [&](const Loop& loop)
       {
-        double length = 0.0;
-        bool isSmooth = true;
-        for (std::size_t i = 0; i < loop.size(); ++i)
-        {
-          length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-          isSmooth &= std::abs(TurningAt(loop, i)) <= DefaultCornerAngle;
-        }
-        return isSmooth && length < EnoughEdges * size;
+        const LoopArc arc(loop);
+        return arc.Corners(DefaultCornerAngle).empty() && arc.Length() < EnoughEdges * size;
       });
 }
 

@@ -37,8 +37,7 @@ struct QuadRequest
   CurvesOfSegments givenCurves;          ///< Curves of the segments of the domain.
   bool findsArcs = false; ///< Recognises arcs of circles on sides and segments without a curve.
 
-  /// Absent: conformal, and uniform where chosen singularities leave sizes too different
-  /// (SizingChoice.h).
+  /// Absent: conformal, and uniform where singularities leave sizes too different (SizingChoice.h).
   std::optional<Sizing> sizing;
   PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.
   /// Side length of quads; with Sizing::Field, a factor of the prescribed sizes. 0: derived from

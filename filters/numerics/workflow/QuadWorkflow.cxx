@@ -21,7 +21,7 @@ namespace crossfield
 namespace
 {
 /// Throws Error if singularities are to be held and moved.
-void RequireOneWish(const QuadRequest& request)
+void RequireHoldOrRepair(const QuadRequest& request)
 {
   if (request.hold && request.repairHolonomy)
   {
@@ -52,7 +52,7 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
       std::to_string(request.quadCount) + " was found for these separatrices; " +
       std::to_string(result.quads.mesh.quads.size()) + " is the nearest; request another number.");
   }
-  for (const std::string& warning : { DescribeSizes(request, result.quads.mesh),
+  for (const std::string& warning : { DescribeSizes(request, result.quads),
          DescribeArea(result.quads), DescribeWorstQuad(result.quads.mesh, result.quads.quality) })
   {
     if (!warning.empty())
@@ -127,7 +127,7 @@ void TryWithoutTips(const PlanarDomain& polygons, const QuadRequest& requested,
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& polygons, const QuadRequest& requested, const Progress& progress)
 {
-  RequireOneWish(requested);
+  RequireHoldOrRepair(requested);
   PreparedRequest prepared = Prepare(polygons, requested);
   const Progress trial = progress.Part(1.0, 1.0);
   Outcome<QuadWorkflowResult> outcome =

@@ -15,7 +15,7 @@ namespace
 {
 /// Corners below this angle, 15°, are cut off: the triangles in them are so thin that the map may fold over.
 constexpr double SharpTip = Pi / 12.0;
-/// Largest length that is cut off, relative to the diagonal: less than a quad.
+/// Largest length that is cut off, relative to the diagonal: less than one of a thousand quads.
 constexpr double LargestCut = 0.02;
 
 /// Cuts corners of the loops of a domain.

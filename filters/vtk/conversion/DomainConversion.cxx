@@ -40,8 +40,8 @@ std::string NameOfType(int type)
 
 /**
  * Returns the surface cells of a data set, or else its lines, with the points that they use.
- * Edges of higher order have their nodes as vertices. Vertex cells are ignored. Throws crossfield::Error for other cells and for coordinates that are not
- * finite.
+ * Edges of higher order have their nodes as vertices. Vertex cells are ignored. Throws crossfield::Error for
+ * other cells and for coordinates that are not finite.
  */
 vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
 {

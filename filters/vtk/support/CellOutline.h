@@ -11,15 +11,17 @@
  */
 namespace CellOutline
 {
-/**
- * Returns the points along a line or around a cell of higher order with these points, and its type as one of
- * first order, VTK_POLY_LINE or VTK_POLYGON; no points if the type is another one.
- */
+/** A cell of first order. */
 struct Outline
 {
-  int type = VTK_EMPTY_CELL;
+  int type = VTK_EMPTY_CELL; ///< VTK_POLY_LINE or VTK_POLYGON.
   std::vector<vtkIdType> points;
 };
+
+/**
+ * Returns the points along a line or around a cell of higher order, whose points in VTK's order are given; no
+ * points if the type is another one.
+ */
 Outline Of(int type, const CellLoop::Points& points);
 
 /** Calls work(cell, type, points) for every cell of a data set, those of higher order as Of. */
