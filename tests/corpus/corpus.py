@@ -18,7 +18,8 @@ OUTPUTS = ("mesh.vtu", "field.vtu", "unit.vtu", "h.vtu", "better.csv", "corners.
 
 #: Every subcommand that reads a domain.
 COMMANDS = {
-    "check": ("check", "{domain}", "-s", "{rows}", "--json", "-"),
+    # Quads count a very sharp corner as an ordinary one; the fields of the other commands do not.
+    "check": ("check", "{domain}", "-s", "{rows}", "--no-cap-corners", "--json", "-"),
     "corners": ("corners", "{domain}", "-o", "corners.vtp"),
     "drill": ("drill", "{domain}", "-s", "{rows}", "-o", "mesh.vtu"),
     "constrained": ("solve", "{domain}", "-s", "{rows}", "-o", "field.vtu", "--json", "-",
