@@ -1,5 +1,6 @@
 #include "SeamlessPoisson.h"
 
+#include "Error.h"
 #include "P1Laplacian.h"
 #include "Parts.h"
 
@@ -41,6 +42,16 @@ std::array<Complex, 3> LocalPrimitive(
 
 SeamlessPoisson TargetGradients(const MeshTopology& topology, const TriangleFrames& frames)
 {
+  // Of the logarithm of sizes: the weights, e^{2h}, must be representable, and their products with targets.
+  constexpr double LargestLogarithm = 300.0;
+  if (std::any_of(frames.h.begin(), frames.h.end(),
+        [](double h) { return !(std::abs(h) <= LargestLogarithm); }))
+  {
+    throw Error("With these positions of the singularities, sizes differ by a factor of more than "
+                "e^300 = 1e130",
+      "move singularities to where the domain is wider, or nearer to those of opposite sign",
+      Error::Kind::CoarseMesh);
+  }
   SeamlessPoisson problem;
   problem.weights.resize(topology.mesh.triangles.size());
   problem.target.resize(topology.mesh.triangles.size());

@@ -94,7 +94,9 @@ AttemptReport ReportOf(const ResolvedRequest& request, const QuadAttemptRecord& 
   what += attempt.layerDistance > 1.0
     ? ", " + FormatShort(attempt.layerDistance) + " times as far from layers"
     : "";
-  what += attempt.repairsHolonomy ? ", with the holonomy repaired" : "";
+  what += attempt.motion == SingularityMotion::RepairedHolonomy ? ", with the holonomy repaired"
+    : attempt.motion == SingularityMotion::MinimumEnergy ? ", moved to a minimum of the energy"
+                                                         : "";
   what += attempt.refinement > 1.0 ? ", on a finer triangle mesh" : "";
   what += !attempt.mergesBlocks ? ", without merging blocks" : "";
   if (!record.error)
@@ -152,25 +154,34 @@ public:
   }
 
 private:
-  /// Makes an attempt. Singularities are placed, and repaired, once for all attempts with the same.
+  /// Makes an attempt. Singularities are placed, and moved, once for all attempts with the same.
   QuadWorkflowResult Make(const QuadAttempt& attempt, const Progress& progress)
   {
     const double placed = this->Request.singularities ? 0.1 : 0.5;
     if (!this->Placed || !HaveSameSingularities(this->Records.back().attempt, attempt))
     {
       this->Placed.reset();
-      this->Repaired.reset();
+      this->Moved.reset();
       QuadSteps steps(this->Domain, RequestOf(this->Request, attempt), this->Seconds);
       steps.Place(progress.Part(0.0, placed));
       this->Placed.emplace(std::move(steps));
     }
-    if (attempt.repairsHolonomy && !this->Repaired)
+    const bool moves = attempt.motion != SingularityMotion::None;
+    if (moves && (!this->Moved || this->Records.back().attempt.motion != attempt.motion))
     {
+      this->Moved.reset();
       QuadSteps steps = *this->Placed;
-      steps.RepairHolonomy(progress.Part(0.0, placed));
-      this->Repaired.emplace(std::move(steps));
+      if (attempt.motion == SingularityMotion::RepairedHolonomy)
+      {
+        steps.RepairHolonomy(progress.Part(0.0, placed));
+      }
+      else
+      {
+        steps.MoveToMinimumEnergy(progress.Part(0.0, placed));
+      }
+      this->Moved.emplace(std::move(steps));
     }
-    QuadSteps steps = attempt.repairsHolonomy ? *this->Repaired : *this->Placed;
+    QuadSteps steps = moves ? *this->Moved : *this->Placed;
     if (!attempt.mergesBlocks)
     {
       steps.DoNotMerge();
@@ -181,22 +192,23 @@ private:
   /// Stores what an attempt led to, and its quads if they are the best.
   void Store(const QuadAttempt& attempt, Outcome<QuadWorkflowResult> outcome)
   {
-    QuadAttemptRecord record{ attempt, std::move(outcome.error), false, {} };
+    QuadAttemptRecord record{ attempt, std::move(outcome.error), false, false, {} };
     if (outcome.value)
     {
       QuadWorkflowResult& result = *outcome.value;
       const QuadQuality& quality = result.quads.quality;
       record.quads = DescribeQuads(result.quads);
+      record.isInverted = quality.inverted > 0;
       record.isAcceptable =
-        quality.inverted == 0 && quality.jacobian.min >= AcceptableShape * quality.bound;
+        !record.isInverted && quality.jacobian.min >= AcceptableShape * quality.bound;
       if (!attempt.hasSingularities)
       {
         result.events.insert(
           result.events.begin(), "The grid lines around the inner loops need no singularities.");
       }
-      if (attempt.repairsHolonomy && this->Request.singularities)
+      if (attempt.motion != SingularityMotion::None && this->Request.hold)
       {
-        this->Offer = std::move(result.repair); // given singularities are not moved
+        this->CanMove |= !record.isInverted;
       }
       else if (!this->Best || this->IsBetter(result, *this->Best))
       {
@@ -215,20 +227,22 @@ private:
   }
 
   /// Returns the error of the last attempt, with the remedy that follows from the others. Attempts that
-  /// repair the holonomy without request do not count, unless their singularities, which were chosen,
-  /// leave too few rows.
+  /// move singularities without request do not count, unless these were chosen and leave too few rows.
   Error FinalError() const
   {
     const Error& error = *std::find_if(this->Records.rbegin(), this->Records.rend(),
       [&](const QuadAttemptRecord& record)
       {
         return record.error &&
-          (!record.attempt.repairsHolonomy ||
+          (record.attempt.motion == SingularityMotion::None ||
             (!this->Request.singularities && IsOfKind(record.error, Error::Kind::LackOfRows)));
       })->error;
-    if (this->Offer)
+    if (this->CanMove)
     {
-      return { error.GetCause(), RepairAdvice(*this->Offer), Error::Kind::BadInput };
+      return { error.GetCause(),
+        "do not hold the singularities (HoldSingularities, --hold): they then move, and there are "
+        "quads",
+        Error::Kind::BadInput };
     }
     if (error.GetKind() == Error::Kind::LackOfRows)
     {
@@ -244,10 +258,10 @@ private:
   const PlanarDomain& Domain;
   const ResolvedRequest& Request;
   std::vector<QuadAttemptRecord> Records;
-  std::optional<QuadSteps> Placed;   ///< With the singularities of the last attempt.
-  std::optional<QuadSteps> Repaired; ///< The same with the holonomy repaired without request.
+  std::optional<QuadSteps> Placed; ///< With the singularities of the last attempt.
+  std::optional<QuadSteps> Moved;  ///< The same, moved without request.
   std::optional<QuadWorkflowResult> Best;
-  std::optional<HolonomyRepair> Offer; ///< A repair that leads to quads, of given singularities.
+  bool CanMove = false; ///< Whether quads are valid if singularities that are held move.
   QuadSeconds Seconds;
 };
 }
@@ -273,10 +287,18 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const Resolve
   {
     return last.isAcceptable ? std::nullopt : std::optional<QuadAttempt>(QuadAttempt());
   }
-  const bool hasInnerLoops = domain.loops.size() > 1;
-  if (isCoarse && hasInnerLoops && !next.repairsHolonomy && !request.repairHolonomy)
+  const bool isMoved = next.motion != SingularityMotion::None;
+  if (isCoarse && domain.loops.size() > 1 && !isMoved && !request.repairHolonomy)
   {
-    next.repairsHolonomy = true;
+    next.motion = SingularityMotion::RepairedHolonomy;
+    next.refinement = 1.0;
+    return next;
+  }
+  const bool hasFailed = isCoarse || (last.isInverted && !request.hold) || (isMoved && last.error);
+  if (request.singularities && !request.singularities->empty() && hasFailed &&
+    next.motion != SingularityMotion::MinimumEnergy)
+  {
+    next.motion = SingularityMotion::MinimumEnergy;
     next.refinement = 1.0;
     return next;
   }
@@ -289,7 +311,7 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const Resolve
     }
     next.layerDistance *= DistanceFactor;
     next.refinement = 1.0;
-    next.repairsHolonomy = false;
+    next.motion = SingularityMotion::None;
     if (!request.singularities && next.layerDistance <= LayerDistanceLimit)
     {
       return next;

@@ -9,6 +9,14 @@
 
 namespace crossfield
 {
+/// How singularities move without request.
+enum class SingularityMotion
+{
+  None,
+  RepairedHolonomy, ///< So that grid lines close up around inner loops (HolonomyRepair.h).
+  MinimumEnergy     ///< Given ones only: to a minimum of the renormalised energy.
+};
+
 /// A way to make the quads of a request.
 struct QuadAttempt
 {
@@ -17,8 +25,8 @@ struct QuadAttempt
   bool mergesBlocks = true; ///< Whether blocks are merged if that is requested.
   /// Factor of the distance that chosen singularities keep from layers.
   double layerDistance = 1.0;
-  bool repairsHolonomy = false; ///< Whether the holonomy is repaired without request.
-  double refinement = 1.0;      ///< Refinement of the triangle mesh (MeshThroughPoints).
+  SingularityMotion motion = SingularityMotion::None;
+  double refinement = 1.0; ///< Refinement of the triangle mesh (MeshThroughPoints).
 };
 
 /// An attempt that was made.
@@ -26,6 +34,7 @@ struct QuadAttemptRecord
 {
   QuadAttempt attempt;
   std::optional<Error> error; ///< Absent if there are quads.
+  bool isInverted = false;    ///< Whether there are quads, and some are inverted.
   /// Whether no other attempt is needed: no quad is inverted, and shapes reach AcceptableShape.
   bool isAcceptable = false;
   std::string quads; ///< A sentence about the quads, for the report.

@@ -168,9 +168,16 @@ void QuadSteps::RepairHolonomy(const Progress& progress)
     throw Error("The holonomy needs no repair, or none was found.");
   }
   this->UseRepair(std::move(*repair));
-  this->AddEvent(
-    "The singularities were moved so that grid lines close up around the inner loops, because "
-    "there were no quads without this.");
+  this->Motion = "so that grid lines close up around the inner loops";
+}
+
+void QuadSteps::MoveToMinimumEnergy(const Progress& progress)
+{
+  const ScopedSeconds timed(this->Seconds.choose);
+  OptimizerResult minimum =
+    MinimiseEnergy(this->Domain, this->Request, this->BeforeRepair, progress);
+  this->Result.singularities = std::move(minimum.configuration);
+  this->Motion = "to a minimum of the energy";
 }
 
 void QuadSteps::DoNotMerge()
@@ -320,6 +327,13 @@ void QuadSteps::AddWarnings()
 {
   QuadWorkflowResult& result = this->Result;
   result.warnings = DescribeFlatNodes(this->Domain, result.singularities);
+  if (!this->Motion.empty())
+  {
+    const std::string sentence = "The singularities were moved " + this->Motion + ", by up to " +
+      FormatShort(result.moved) + ", because there were no valid quads without this.";
+    // A user who gave positions must learn of it.
+    (result.moves ? result.warnings : result.events).push_back(sentence);
+  }
   if (!this->Request.split)
   {
     this->AddEvents(DescribeCrowdedNodes(this->Domain, result.singularities));

@@ -19,6 +19,9 @@ public:
   /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or there
   /// is nothing to repair.
   void RepairHolonomy(const Progress& progress);
+  /// Moves given singularities to a minimum of the renormalised energy. Throws Error as
+  /// MinimiseEnergy does.
+  void MoveToMinimumEnergy(const Progress& progress);
   /// Meshes with edges divided by `refinement` (MeshThroughPoints), solves for the map, traces the
   /// separatrices, makes quads, merges blocks and adds layers. Throws Error as MeshThroughPoints, LayOut,
   /// MakeQuads and AddLayers do.
@@ -50,6 +53,7 @@ private:
   SeamlessMapOptions MapOptions;
   Configuration Start;        ///< The singularities that were given or chosen, split on request.
   Configuration BeforeRepair; ///< The singularities before the holonomy was repaired.
+  std::string Motion;         ///< Where singularities were moved without request, in words.
   QuadWorkflowResult Result;
   QuadSeconds& Seconds;
 };

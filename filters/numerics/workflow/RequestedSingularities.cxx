@@ -9,8 +9,10 @@
 
 namespace crossfield
 {
-AutomaticConfiguration ChooseSingularities(
-  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress)
+namespace
+{
+/// Returns the options of the choice for the quads of a request.
+AutomaticOptions OptionsFor(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   AutomaticOptions options;
   options.proposal.corners = CompleteCorners(domain, request);
@@ -42,7 +44,37 @@ AutomaticConfiguration ChooseSingularities(
   options.optimizer.clearanceFactors = ClearanceForLayers(domain, request,
     request.clearance > 0.0 ? request.clearance : ClearanceForQuads(quadSize),
     [&](const Point& place) { return relative ? quadSize * relative(place) : quadSize; });
-  return ChooseConfiguration(domain, options, progress);
+  return options;
+}
+}
+
+AutomaticConfiguration ChooseSingularities(
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress)
+{
+  return ChooseConfiguration(domain, OptionsFor(domain, request), progress);
+}
+
+OptimizerResult MinimiseEnergy(const PlanarDomain& domain, const ResolvedRequest& request,
+  const Configuration& given, const Progress& progress)
+{
+  const AutomaticOptions options = OptionsFor(domain, request);
+  OptimizerOptions minimum = options.optimizer;
+  minimum.corners = options.proposal.corners;
+  minimum.keepAll = true;
+  minimum.pairs = 0;
+  minimum.maximumSolves = options.maximumSolves;
+  minimum.quadSize =
+    options.quadSize > 0.0 ? options.quadSize : std::sqrt(domain.Area() / options.quadCount);
+  if (minimum.clearance == 0.0)
+  {
+    minimum.clearance = ClearanceForQuads(minimum.quadSize);
+  }
+  Configuration start = given;
+  for (Singularity& singularity : start)
+  {
+    singularity.radius = 0.0; // may not fit after a move
+  }
+  return OptimizeSingularities(domain, start, minimum, progress);
 }
 
 HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& singularities,

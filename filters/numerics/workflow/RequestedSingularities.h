@@ -9,6 +9,11 @@ namespace crossfield
 AutomaticConfiguration ChooseSingularities(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress = {});
 
+/// Moves all of the given singularities to a minimum of the renormalised energy, with the clearance for
+/// the quads of a request. Throws Error as OptimizeSingularities does.
+OptimizerResult MinimiseEnergy(const PlanarDomain& domain, const ResolvedRequest& request,
+  const Configuration& given, const Progress& progress = {});
+
 /// Repairs the holonomy with the corners that the map will have (HolonomyRepair.h).
 HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& singularities,
   const SeamlessMapOptions& options, double meshSize, const Progress& progress = {});

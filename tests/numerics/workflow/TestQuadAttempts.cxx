@@ -16,14 +16,14 @@ namespace
 {
 auto Values(const QuadAttempt& a)
 {
-  return std::tuple(
-    a.hasSingularities, a.mergesBlocks, a.layerDistance, a.repairsHolonomy, a.refinement);
+  return std::tuple(a.hasSingularities, a.mergesBlocks, a.layerDistance, a.motion, a.refinement);
 }
 
 enum class Result
 {
   Good,
   Poor,
+  Inverted,
   BadInput,
   CoarseMesh,
   LackOfRows
@@ -31,8 +31,9 @@ enum class Result
 
 QuadAttemptRecord Record(const QuadAttempt& attempt, Result result)
 {
-  QuadAttemptRecord record{ attempt, std::nullopt, result == Result::Good, {} };
-  if (result != Result::Good && result != Result::Poor)
+  QuadAttemptRecord record{ attempt, std::nullopt, result == Result::Inverted,
+    result == Result::Good, {} };
+  if (result > Result::Inverted)
   {
     record.error = Error("It fails", "do this",
       result == Result::CoarseMesh     ? Error::Kind::CoarseMesh
@@ -54,8 +55,8 @@ void ForAllRuns(const PlanarDomain& domain, const ResolvedRequest& request,
     return;
   }
   ASSERT_LE(made.size(), 30U);
-  for (const Result result :
-    { Result::Good, Result::Poor, Result::BadInput, Result::CoarseMesh, Result::LackOfRows })
+  for (const Result result : { Result::Good, Result::Poor, Result::Inverted, Result::BadInput,
+         Result::CoarseMesh, Result::LackOfRows })
   {
     made.push_back(Record(*next, result));
     ForAllRuns(domain, request, made, visit);
@@ -84,7 +85,7 @@ TEST(QuadAttempts, AreDifferentAndEndWithTheFirstGoodOne)
         request.merge = merge;
         if (isGiven)
         {
-          request.singularities.emplace();
+          request.singularities.emplace(1);
         }
         std::size_t largest = 0;
         ForAllRuns(domain, request, {},
@@ -127,8 +128,20 @@ TEST(QuadAttempts, RefineTheMeshThenRepairTheHolonomy)
   for (std::size_t i = 0; i < 4; ++i)
   {
     EXPECT_EQ(made[i].attempt.refinement, i % 2 == 0 ? 1.0 : 2.0);
-    EXPECT_EQ(made[i].attempt.repairsHolonomy, i > 1);
+    EXPECT_EQ(made[i].attempt.motion,
+      i > 1 ? SingularityMotion::RepairedHolonomy : SingularityMotion::None);
   }
+  // Given ones then move to a minimum of the energy.
+  made.clear();
+  request.singularities.emplace(1);
+  while (next())
+  {
+  }
+  ASSERT_EQ(made.size(), 6U);
+  EXPECT_EQ(made[3].attempt.motion, SingularityMotion::RepairedHolonomy);
+  EXPECT_EQ(made[4].attempt.motion, SingularityMotion::MinimumEnergy);
+  EXPECT_EQ(made[5].attempt.refinement, 2.0);
+  request.singularities.reset();
   // A repair that was requested is part of every attempt.
   made.clear();
   request.repairHolonomy = true;
@@ -174,9 +187,54 @@ TEST(QuadAttempts, KeepTheMeshWhereOnlyMergingIsInTheWay)
   ASSERT_TRUE(unmerged);
   EXPECT_EQ(unmerged->refinement, 2.0);
   EXPECT_FALSE(unmerged->mergesBlocks);
-  EXPECT_FALSE(unmerged->repairsHolonomy);
+  EXPECT_EQ(unmerged->motion, SingularityMotion::None);
   made.push_back(Record(*unmerged, Result::LackOfRows));
   EXPECT_FALSE(NextAttempt(ring, request, made)); // given singularities stay where they are
+}
+
+TEST(QuadAttempts, MoveGivenSingularitiesOnlyWhereQuadsAreInverted)
+{
+  const PlanarDomain disk = Builtin("disk");
+  ResolvedRequest request = Resolve(disk, {});
+  request.singularities.emplace(1);
+  EXPECT_FALSE(NextAttempt(disk, request, { Record({}, Result::Poor) }));
+  const std::optional<QuadAttempt> moved =
+    NextAttempt(disk, request, { Record({}, Result::Inverted) });
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->motion, SingularityMotion::MinimumEnergy);
+  EXPECT_FALSE(NextAttempt(disk, request, { Record(*moved, Result::Inverted) }));
+  request.hold = true;
+  EXPECT_FALSE(NextAttempt(disk, request, { Record({}, Result::Inverted) }));
+}
+
+/// Between the two singularities of this strip, sizes change by a factor of more than 10⁸.
+TEST(QuadAttempts, MoveGivenSingularitiesWithoutValidQuadsUnlessTheyAreHeld)
+{
+  const double length = 24.0;
+  PlanarDomain strip;
+  strip.loops = { { { 0.0, 0.0 }, { length, 0.0 }, { length, 1.0 }, { 0.0, 1.0 } } };
+  QuadRequest request;
+  request.quadCount = 500;
+  request.singularities = { { { 1.0, 0.5 }, 1 }, { { length - 1.0, 0.5 }, -1 } };
+  const QuadWorkflowResult result = MakeQuadMesh(strip, request);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.6);
+  EXPECT_EQ(
+    result.attempts.back().what, "With the given singularities, moved to a minimum of the energy");
+  ASSERT_EQ(result.singularities.size(), 2U);
+  EXPECT_EQ(result.singularities[0].quarterIndex, 1);
+  EXPECT_EQ(result.singularities[1].quarterIndex, -1);
+  ASSERT_FALSE(result.moves->empty());
+  const double largest = std::max_element(result.moves->begin(), result.moves->end(),
+    [](const SingularityMove& a, const SingularityMove& b) {
+      return a.Distance() < b.Distance();
+    })->Distance();
+  EXPECT_NEAR(result.moved, largest, 1e-12);
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_NE(result.warnings[0].find("were moved to a minimum of the energy"), std::string::npos);
+  request.hold = true;
+  EXPECT_TRUE(
+    Refuses([&] { MakeQuadMesh(strip, request); }, { "do not hold the singularities", "--hold" }));
 }
 
 TEST(QuadAttempts, AreInTheResult)
