@@ -42,8 +42,8 @@ time of the whole run. `tests/corpus/survey.py` makes this table for any files (
 
 %s
 
-`heart` and `teardrop` end in cusps, where the sides meet with an angle of 0. The message offers a length with which
-`--smooth-boundary` rounds the cusp, and the domain then has quads.
+`heart` and `teardrop` end in cusps, where the sides meet with an angle of 0, which no quad has. The tips are cut off, and a warning says
+where and how wide.
 
 ## Configurations chosen by hand
 
@@ -76,18 +76,25 @@ What remains refused:
 
 - a wrong total of quarter indices, and a singularity of quarter index 3 or more, for which there is no node
 - a singularity outside the domain
-- a configuration for which no map that closes the grid lines was found, which is possible with a single pair of 1 and −1 in a ring.
-  The message names the hole, the angle by which grid lines miss, and the predicted stretch. It offers `--repair-holonomy` if a mesh was
-  found with it. Otherwise choose other positions, or add a pair.
+- with `--hold`, a configuration for which no map that closes the grid lines was found, which is possible with a single pair of 1 and −1
+  in a ring. The message names the hole, the angle by which grid lines miss, and the predicted stretch, and offers to leave out `--hold`
+  if there are quads then.
 
 Singularities closer to each other than the side of a quad may give inverted quads. The warning names a smaller size with which there
-are none, if one was found.
+are none, if one was found; where the choice of singularities takes long, it was tried with the same ones.
+
+A corner below 15° between short segments, such as the cusp of a profile, is cut off if there are no valid quads in it. The warning says
+where and how wide.
 
 A singularity of quarter index 2 is a node of valence 2, whose quads have an angle of 180°; one of −2 is a node of valence 6. `--split`
 replaces each by two of index 1 or −1, about 1.5 quads apart.
 
-Where quads would be inverted with fixed singularities, the nodes move. Every move by more than a tenth of a quad is printed; the
-report and `--save-singularities` have the positions of the nodes.
+Sizes are conformal where shapes are good and sizes vary by no more than half of their mean; otherwise conformal, partly uniform or
+uniform, whichever gives the best quads ([method](method.md) §14.8). Nodes stay where the singularities were given, as long as shapes and
+sizes are as good there; otherwise they move. Where this gives no valid quads, for example where singularities in a long strip are so far
+from each other that sizes would differ a million times, the holonomy is repaired, or all singularities move to a minimum of the energy,
+and a warning says how far. Every move by more than a tenth of a quad is printed, `moves` in the report lists all of them, and
+`--save-singularities` has the positions of the nodes. `--hold` keeps the nodes in place in any case.
 
 ## Fewer blocks
 
