@@ -1,6 +1,5 @@
-# Precompiled headers and unity batches. They shorten compiling and change no results. The presets for
-# ParaView and VTK use them. The checked build does not, so that each file is compiled by itself: it
-# must include what it needs.
+# Precompiled headers and unity batches. They shorten compiling and change no results. All presets use them.
+# Without, each file is compiled by itself, which shows whether it includes what it needs.
 option(CROSSFIELD_FAST_COMPILE "Use precompiled headers and compile sources in batches" OFF)
 # One batch is what compiles again after a change of one of its files.
 set(CROSSFIELD_BATCH_SIZE 4 CACHE STRING "Sources per unity batch")
