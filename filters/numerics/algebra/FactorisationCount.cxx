@@ -6,16 +6,16 @@ namespace crossfield
 {
 namespace
 {
-std::atomic<long> count = 0;
+std::atomic<long> factorisations = 0;
 }
 
 long FactorisationCount()
 {
-  return count;
+  return factorisations;
 }
 
 void CountFactorisation()
 {
-  ++count;
+  ++factorisations;
 }
 }
