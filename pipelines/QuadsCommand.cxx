@@ -69,6 +69,7 @@ struct QuadsOptions
   std::vector<std::string> cornerRows;
   int order = 1;
   int mshVersion = vtkQuadMeshWriter::Msh41;
+  std::vector<std::string> patchTypes;
 };
 
 /** Returns the singularities that the mesh was made of, at the positions of their nodes. */
@@ -119,6 +120,15 @@ std::string CheckOptions(const QuadsOptions& options)
   if (options.order > 2 && options.sweep.IsSet())
   {
     return "--order: quads of order 3 cannot be swept; give order 1 or 2";
+  }
+  const char last = options.output.empty() ? ' ' : options.output.back();
+  const std::string foam = ".foam";
+  const bool isCase = last == '/' ||
+    (options.output.size() > foam.size() &&
+      options.output.compare(options.output.size() - foam.size(), foam.size(), foam) == 0);
+  if (!options.patchTypes.empty() && !isCase)
+  {
+    return "--patch-type: only a case of OpenFOAM has types of patches; give -o NAME/ or NAME.foam";
   }
   return sizing == "field" && options.size > 0.0
     ? "--sizing field has the sizes in the array; leave --size out, or give --quads"
@@ -207,7 +217,8 @@ int Mesh(const QuadsOptions& options)
 
   // 4. Write.
   OutputTransaction outputs;
-  OutputFile::WriteQuads(quads, options.output, options.mshVersion, outputs);
+  OutputFile::WriteQuads(
+    quads, options.output, options.mshVersion, Join(options.patchTypes), outputs);
   OutputFile::WriteIfNamed(mesher->GetOutputDataObject(2), options.layout, outputs);
   if (!options.blocks.empty())
   {
@@ -377,6 +388,13 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "version of a .msh file: 4.1, or 2.2 for programs such as gmshToFoam; default: 4.1")
     ->transform(CLI::CheckedTransformer(versions).description("{2.2,4.1}"))
     ->type_name("WORD");
+  command
+    ->add_option("--patch-type", options->patchTypes,
+      "type of the patch of a side in a case of OpenFOAM, such as wall or symmetry; default: wall for "
+      "sides with a boundary layer, patch for others; may be repeated")
+    ->type_name("NAME:TYPE")
+    ->expected(1)
+    ->take_all();
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddVerboseTo(*command, options->verbose);

@@ -19,7 +19,7 @@ from ._layers import (
 from ._plot import plot_quads
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, report_of
 from ._run import Error, Pipeline
-from ._solid import SolidMesh, swept, unknown_ending, write_mesh
+from ._solid import Axis, SolidMesh, swept, unknown_ending, write_mesh
 from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadsToHigherOrder
 
 #: Ratio of the last edge to the first, (first, last) lengths, or either after "both" in a tuple.
@@ -119,8 +119,9 @@ class QuadMesh:
         return np.concatenate(chains) if chains else np.empty(0, int)
 
     @checks_arguments
-    def extrude(self, height: float, layers: int = 1) -> SolidMesh:
-        """Returns hexahedra between the quads and the quads moved by `height` along their normal.
+    def extrude(self, height: float, layers: int = 1, ratio: float = 1.0) -> SolidMesh:
+        """Returns hexahedra between the quads and the quads moved by `height` along their normal, in layers of
+        equal height or with a `ratio` of the last height to the first.
 
         Sides keep their names; the ends are "back" and "front".
 
@@ -129,12 +130,12 @@ class QuadMesh:
         >>> len(mesh.quads), len(solid.cells), solid.sides[-2:]
         (8, 16, ['back', 'front'])
         """
-        return swept(self.grid, layers, height=height)
+        return swept(self.grid, layers, height=height, ratio=ratio)
 
     @checks_arguments
-    def revolve(self, angle: float, layers: int = 1, axis: str = "x") -> SolidMesh:
-        """Returns hexahedra that the quads pass when they turn by `angle` degrees about the line y = 0 (axis "x")
-        or x = 0 ("y"). Quads with an edge on the axis become prisms, and 360 degrees close the mesh. With one
+    def revolve(self, angle: float, layers: int = 1, axis: Axis = "x") -> SolidMesh:
+        """Returns hexahedra that the quads pass when they turn by `angle` degrees about the line y = 0 (axis "x"),
+        x = 0 ("y"), or the one through two points, ((x, y), (x, y)). Quads with an edge on the axis become prisms, and 360 degrees close the mesh. With one
         layer the quads are in its middle."""
         return swept(self.grid, layers, angle=angle, axis=axis)
 
@@ -146,12 +147,13 @@ class QuadMesh:
         """
         return plot_quads(self, file, width)
 
-    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+    def write(self, path: Union[str, "os.PathLike[str]"], patch_types: Optional[Mapping[str, str]] = None) -> None:
         """Writes a file in the format of its ending: `grid` as .vtu or .vtk, or quads and names of sides as .msh
         (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus), or .foam and / for
         a case of OpenFOAM. Formats of meshio that hold quads, such as .med, .mesh and .bdf, are written by meshio: quads
-        and boundary lines, with the loop of each line. Other endings are an Error."""
-        if write_mesh(self.grid, path):
+        and boundary lines, with the loop of each line. Other endings are an Error. `patch_types` has the types of patches of
+        OpenFOAM by names of sides, such as {"cylinder": "wall"}; sides with a boundary layer are walls without it."""
+        if write_mesh(self.grid, path, patch_types):
             return
         if os.path.splitext(os.fspath(path))[1].lower() not in _MESHIO_ENDINGS:
             raise unknown_ending(path, _MESHIO_ENDINGS)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -15,6 +15,7 @@ from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkExtrudeQuads, vtkQuadMeshWriter
 
 _AXES = {"x": vtkExtrudeQuads.AxisX, "y": vtkExtrudeQuads.AxisY}
+Axis = Union[str, Sequence[Sequence[float]]]
 
 
 @dataclass(frozen=True, repr=False)
@@ -50,13 +51,15 @@ class SolidMesh:
         """The names of the sides, in the order of their first faces."""
         return list(dict.fromkeys(self.face_side.tolist()))
 
-    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes `grid` to a .vtu file, or to a file of a solver by its ending."""
-        if not write_mesh(self.grid, path):
+    def write(self, path: Union[str, "os.PathLike[str]"], patch_types: Optional[Mapping[str, str]] = None) -> None:
+        """Writes `grid` to a .vtu file, or to a file of a solver by its ending. `patch_types` has the types of patches
+        of OpenFOAM by names of sides, such as {"cylinder": "wall"}."""
+        if not write_mesh(self.grid, path, patch_types):
             raise unknown_ending(path)
 
 
-def write_mesh(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> bool:
+def write_mesh(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"],
+               patch_types: Optional[Mapping[str, str]] = None) -> bool:
     """Writes a mesh in the format of the file's ending; returns False if its ending is of no such format."""
     if os.path.splitext(os.fspath(path))[1].lower() == ".vtu":
         write_grid(grid, path)
@@ -66,6 +69,7 @@ def write_mesh(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) 
     writer = vtkQuadMeshWriter()
     writer.SetInputData(grid)
     writer.SetFileName(os.fspath(path))
+    writer.SetPatchTypes("".join("%s:%s;" % entry for entry in (patch_types or {}).items()))
     Pipeline().update_one(writer)
     return True
 
@@ -83,17 +87,30 @@ def _points_of_block(grid: Any) -> np.ndarray:
     return places(grid).reshape(*reversed(size), 3).transpose(2, 1, 0, 3).copy()
 
 
-def swept(grid: vtkUnstructuredGrid, layers: int, *, height: Optional[float] = None, angle: Optional[float] = None,
-          axis: str = "x") -> SolidMesh:
+def _set_axis(extruder: vtkExtrudeQuads, axis: Axis) -> None:
+    if isinstance(axis, str):
+        if axis not in _AXES:
+            raise Error("There is no axis '%s'; give 'x', 'y', or two points ((x, y), (x, y))." % axis)
+        extruder.SetAxis(_AXES[axis])
+        return
+    line = np.asarray(axis, dtype=float)
+    if line.shape != (2, 2):
+        raise Error("The axis must be 'x', 'y', or two points ((x, y), (x, y)).")
+    extruder.SetAxis(vtkExtrudeQuads.AxisLine)
+    extruder.SetAxisPoint1(*line[0])
+    extruder.SetAxisPoint2(*line[1])
+
+
+def swept(grid: vtkUnstructuredGrid, layers: int, *, height: Optional[float] = None, ratio: float = 1.0,
+          angle: Optional[float] = None, axis: Axis = "x") -> SolidMesh:
     """Returns the hexahedra of an extrusion by `height`, or of a revolution by `angle`."""
-    if axis not in _AXES:
-        raise Error("There is no axis '%s'; give 'x' or 'y'." % axis)
     extruder = vtkExtrudeQuads()
     extruder.SetInputData(grid)
     extruder.SetLayers(layers)
-    extruder.SetAxis(_AXES[axis])
+    _set_axis(extruder, axis)
     if height is not None:
         extruder.SetHeight(height)
+        extruder.SetRatio(ratio)
     if angle is not None:
         extruder.SetMotionToRevolution()
         extruder.SetAngle(angle)

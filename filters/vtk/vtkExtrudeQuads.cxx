@@ -57,7 +57,17 @@ int vtkExtrudeQuads::RequestData(
       sweep.layers = this->Layers;
       sweep.height = this->Height;
       sweep.angle = this->Angle;
-      sweep.axis = this->Axis;
+      sweep.ratio = this->Ratio;
+      if (this->Axis == AxisY)
+      {
+        sweep.axisDirection = { 0.0, 1.0 };
+      }
+      else if (this->Axis == AxisLine)
+      {
+        sweep.axisPoint = { this->AxisPoint1[0], this->AxisPoint1[1] };
+        sweep.axisDirection =
+          crossfield::Point(this->AxisPoint2[0], this->AxisPoint2[1]) - sweep.axisPoint;
+      }
       progress.Report(0.2);
       const crossfield::SolverMesh swept =
         crossfield::SweepQuads(SolverMeshReading::Read(grid), sweep);
@@ -85,6 +95,9 @@ void vtkExtrudeQuads::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Motion: " << this->Motion << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Ratio: " << this->Ratio << "\n";
   os << indent << "Angle: " << this->Angle << "\n";
   os << indent << "Axis: " << this->Axis << "\n";
+  os << indent << "AxisPoint1: " << this->AxisPoint1[0] << " " << this->AxisPoint1[1] << "\n";
+  os << indent << "AxisPoint2: " << this->AxisPoint2[0] << " " << this->AxisPoint2[1] << "\n";
 }

@@ -2,8 +2,8 @@
  * @class   vtkExtrudeQuads
  * @brief   hexahedra from quads, by a translation or a revolution
  *
- * A translation moves the quads by Height along their normal, in layers of equal height. A revolution turns them
- * about the line y = 0 or x = 0 by Angle, at first towards their normal; with one layer from minus half
+ * A translation moves the quads by Height along their normal, in layers of equal height, or with a given Ratio of
+ * the last to the first one. A revolution turns them about a line by Angle, at first towards their normal; with one layer from minus half
  * to half of the angle, as a wedge of OpenFOAM, and with 360° back to the start. A quad with an edge on the axis
  * becomes a prism.
  *
@@ -83,16 +83,31 @@ public:
   vtkGetMacro(Angle, double);
   ///@}
 
+  ///@{
+  /** Sets the height of the last layer of a translation by that of the first, positive. Default: 1. */
+  vtkSetMacro(Ratio, double);
+  vtkGetMacro(Ratio, double);
+  ///@}
+
   /** Axes of a revolution, at the z of the quads. */
   enum Axes
   {
-    AxisX, ///< y = 0
-    AxisY  ///< x = 0
+    AxisX,   ///< y = 0
+    AxisY,   ///< x = 0
+    AxisLine ///< The line from AxisPoint1 to AxisPoint2.
   };
   ///@{
   /** Sets the axis of a revolution. Default: AxisX. */
-  vtkSetClampMacro(Axis, int, AxisX, AxisY);
+  vtkSetClampMacro(Axis, int, AxisX, AxisLine);
   vtkGetMacro(Axis, int);
+  ///@}
+
+  ///@{
+  /** Sets x and y of two different points of the axis, used with AxisLine. Default: (0, 0) and (1, 0). */
+  vtkSetVector2Macro(AxisPoint1, double);
+  vtkGetVector2Macro(AxisPoint1, double);
+  vtkSetVector2Macro(AxisPoint2, double);
+  vtkGetVector2Macro(AxisPoint2, double);
   ///@}
 
 protected:
@@ -110,8 +125,11 @@ private:
   int Motion = Translation;
   int Layers = 1;
   double Height = 1.0;
+  double Ratio = 1.0;
   double Angle = 90.0;
   int Axis = AxisX;
+  double AxisPoint1[2] = { 0.0, 0.0 };
+  double AxisPoint2[2] = { 1.0, 0.0 };
 };
 
 #endif

@@ -7,6 +7,7 @@
 #include "FoamCase.h"
 #include "MeshFormats.h"
 #include "QuadBoundary.h"
+#include "SideText.h"
 #include "SolverMeshReading.h"
 #include "TextFile.h"
 
@@ -40,7 +41,7 @@ std::string LegacyBytes(vtkUnstructuredGrid* mesh)
 }
 
 std::vector<crossfield::FileText> FilesOf(
-  vtkUnstructuredGrid* mesh, const std::string& name, int mshVersion)
+  vtkUnstructuredGrid* mesh, const std::string& name, int mshVersion, const std::string& patchTypes)
 {
   const MeshFormat format = crossfield::MeshFormatOf(name);
   if (format == MeshFormat::Vtk)
@@ -48,6 +49,10 @@ std::vector<crossfield::FileText> FilesOf(
     return { { name, LegacyBytes(mesh) } };
   }
   crossfield::SolverMesh read = SolverMeshReading::Read(mesh);
+  if (format == MeshFormat::Foam)
+  {
+    SolverMeshReading::SetPatchTypes(SideText::ReadPatchTypes(patchTypes), read);
+  }
   if (format == MeshFormat::Cgns)
   {
     return { { name, CgnsLibrary::Write(std::move(read)) } };
@@ -116,7 +121,8 @@ void vtkQuadMeshWriter::WriteData()
       vtkNew<vtkUnstructuredGrid> mesh;
       SolverMeshReading::Join(input, QuadBoundary::Find(this), mesh);
       progress.Report(0.1);
-      std::vector<crossfield::FileText> files = FilesOf(mesh, this->FileName, this->MshVersion);
+      std::vector<crossfield::FileText> files =
+        FilesOf(mesh, this->FileName, this->MshVersion, this->PatchTypes);
       progress.Report(0.8);
       for (crossfield::FileText& file : files)
       {
@@ -143,5 +149,6 @@ void vtkQuadMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
   os << indent << "MshVersion: " << this->MshVersion << "\n";
+  os << indent << "PatchTypes: " << this->PatchTypes << "\n";
   os << indent << "WriteToOutputString: " << this->WriteToOutputString << "\n";
 }

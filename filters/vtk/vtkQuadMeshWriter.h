@@ -79,6 +79,18 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Sets types of patches of a case of OpenFOAM: entries NAME:TYPE separated by semicolons, such as
+   * "cylinder:wall;top:symmetry". Sides with a boundary layer are walls without it. Other formats have
+   * no such types. Default: empty.
+   */
+  vtkSetMacro(PatchTypes, std::string);
+  vtkGetMacro(PatchTypes, std::string);
+  ///@}
+  /** Sets types of patches; overload for ParaView. */
+  void SetPatchTypes(const char* types) { this->SetPatchTypes(std::string(types ? types : "")); }
+
+  ///@{
   /** Keeps names and contents of the files for GetOutputFiles instead of writing them. Default: off. */
   vtkSetMacro(WriteToOutputString, bool);
   vtkGetMacro(WriteToOutputString, bool);
@@ -112,6 +124,7 @@ private:
 
   std::string FileName;
   int MshVersion = Msh41;
+  std::string PatchTypes;
   bool WriteToOutputString = false;
   std::vector<std::pair<std::string, std::string>> OutputFiles;
 };

@@ -175,8 +175,8 @@ void RequireOrder(const std::string& file, int order)
   }
 }
 
-void WriteQuads(
-  vtkUnstructuredGrid* quads, const std::string& file, int mshVersion, OutputTransaction& outputs)
+void WriteQuads(vtkUnstructuredGrid* quads, const std::string& file, int mshVersion,
+  const std::string& patchTypes, OutputTransaction& outputs)
 {
   if (IsVtu(file))
   {
@@ -187,6 +187,7 @@ void WriteQuads(
   writer->SetInputDataObject(quads);
   writer->SetFileName(file);
   writer->SetMshVersion(mshVersion);
+  writer->SetPatchTypes(patchTypes);
   writer->WriteToOutputStringOn();
   PipelineRun::RequireNoError([&writer] { writer->Write(); });
   for (const auto& [name, text] : writer->GetOutputFiles())

@@ -41,10 +41,10 @@ void RequireOrder(const std::string& file, int order);
 
 /**
  * Writes quads with their boundary edges to a .vtu file, to standard output for "-", or to the format of
- * another ending with vtkQuadMeshWriter, whose folders are made. `mshVersion` is one of its versions.
+ * another ending with vtkQuadMeshWriter, whose folders are made. `mshVersion` and `patchTypes` are those of that filter.
  */
-void WriteQuads(
-  vtkUnstructuredGrid* quads, const std::string& file, int mshVersion, OutputTransaction& outputs);
+void WriteQuads(vtkUnstructuredGrid* quads, const std::string& file, int mshVersion,
+  const std::string& patchTypes, OutputTransaction& outputs);
 
 /** Writes the data if a file is named; returns the seconds that this took. */
 double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);

@@ -4,13 +4,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 namespace
 {
-/** Returns the parts of a text between commas, an empty text if there are fewer than three. */
+/** Returns the parts of a text between commas, with empty texts if there are fewer than three. */
 std::vector<std::string> Split(const std::string& text)
 {
   std::vector<std::string> parts = CLI::detail::split(text, ',');
@@ -36,13 +37,13 @@ void SweepOptions::AddTo(CLI::App& command)
   CLI::Option* height =
     command
       .add_option("--extrude", this->extrude,
-        "make hexahedra: height along the normal of the quads, and number of layers "
-        "(default: 1); sides back and front")
-      ->type_name("HEIGHT[,LAYERS]");
+        "make hexahedra: height along the normal of the quads, number of layers (default: 1), and height of "
+        "the last layer by that of the first (default: 1); sides back and front")
+      ->type_name("HEIGHT[,LAYERS[,RATIO]]");
   command
     .add_option("--revolve", this->revolve,
       "make hexahedra: angle about the axis in degrees, at most 360, number of layers (default: 1), and "
-      "axis, x (y = 0) or y (x = 0) (default: x)")
+      "axis, x (y = 0), y (x = 0), or two points X0,Y0,X1,Y1 (default: x)")
     ->type_name("ANGLE[,LAYERS[,AXIS]]")
     ->excludes(height);
 }
@@ -58,17 +59,41 @@ void SweepOptions::Read()
   const std::vector<std::string> parts = Split(text);
   const double layers = parts[1].empty() ? 1.0 : Number(parts[1]);
   this->Size = Number(parts[0]);
-  const bool isAxis = parts[2].empty() || (isRevolution && (parts[2] == "x" || parts[2] == "y"));
-  if (!(this->Size > 0.0) || !std::isfinite(this->Size) || !IsWhole(layers) || !isAxis ||
-    parts.size() > 3 || (isRevolution && this->Size > 360.0))
+  const bool isLastValid = isRevolution
+    ? this->ReadAxis({ parts.begin() + 2, parts.end() })
+    : parts.size() == 3 && (parts[2].empty() || this->ReadRatio(parts[2]));
+  if (!(this->Size > 0.0) || !std::isfinite(this->Size) || !IsWhole(layers) || !isLastValid ||
+    (isRevolution && this->Size > 360.0))
   {
     throw CLI::ValidationError(isRevolution ? "--revolve: '" + text +
-          "' is not an angle from 0 to 360, a number of layers and x or y, such as 5,1,x"
+          "' is not an angle from 0 to 360, a number of layers, and x, y or two points, such as 5,1,x or 5,1,0,2,1,2"
                                             : "--extrude: '" + text +
-          "' is not a positive height and a number of layers, such as 0.1,4");
+          "' is not a positive height, a number of layers and a positive ratio, such as 0.1,4 or 0.1,4,3");
   }
   this->Layers = static_cast<int>(layers);
-  this->Axis = parts[2] == "y" ? vtkExtrudeQuads::AxisY : vtkExtrudeQuads::AxisX;
+}
+
+bool SweepOptions::ReadRatio(const std::string& text)
+{
+  this->Ratio = Number(text);
+  return this->Ratio > 0.0 && std::isfinite(this->Ratio);
+}
+
+bool SweepOptions::ReadAxis(const std::vector<std::string>& parts)
+{
+  if (parts.size() == 1)
+  {
+    this->Axis = parts[0] == "y" ? vtkExtrudeQuads::AxisY : vtkExtrudeQuads::AxisX;
+    return parts[0].empty() || parts[0] == "x" || parts[0] == "y";
+  }
+  if (parts.size() != this->Line.size())
+  {
+    return false;
+  }
+  this->Axis = vtkExtrudeQuads::AxisLine;
+  std::transform(parts.begin(), parts.end(), this->Line.begin(), Number);
+  const auto& [x0, y0, x1, y1] = this->Line;
+  return std::isfinite(x0 + y0 + x1 + y1) && (x0 != x1 || y0 != y1);
 }
 
 vtkSmartPointer<vtkExtrudeQuads> SweepOptions::Make() const
@@ -83,6 +108,9 @@ vtkSmartPointer<vtkExtrudeQuads> SweepOptions::Make() const
   filter->SetHeight(this->Size);
   filter->SetAngle(this->Size);
   filter->SetLayers(this->Layers);
+  filter->SetRatio(this->Ratio);
   filter->SetAxis(this->Axis);
+  filter->SetAxisPoint1(this->Line[0], this->Line[1]);
+  filter->SetAxisPoint2(this->Line[2], this->Line[3]);
   return filter;
 }

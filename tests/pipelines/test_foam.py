@@ -66,6 +66,18 @@ class Foam(ProgramTest):
         self.assertEqual((self.folder / "constant/polyMesh/owner").read_text(), (case / "constant/polyMesh/owner").read_text())
         self.assertEqual((self.folder / "view.foam").read_text(), "")
 
+    def test_sides_with_layers_are_walls_and_other_types_are_given(self):
+        self.quads("plate.vtp", "a/", "--layers", "hole:5e-3", "--patch-type", "top:symmetry")
+        kinds = {name: kind for name, (kind, _) in read_patches(self.folder / "a").items()}
+        self.assertEqual((kinds["hole"], kinds["top"], kinds["bottom"]), ("wall", "symmetry", "patch"))
+        self.quads("plate.vtp", "b/", "--extrude", "1,2", "--patch-type", "hole:wall")
+        self.assertEqual(read_patches(self.folder / "b")["hole"][0], "wall")
+        for output, entry, says in (("c/", "roof:wall", "no side 'roof' for the patch type 'wall'"), ("c/", "top", "has no colon"),
+                                    ("c/", "top:cyclic", "cannot have the type 'cyclic'"), ("c.msh", "top:wall", "only a case of OpenFOAM")):
+            self.refuse("quads", "plate.vtp", "-o", output, "--patch-type", entry, says=[says])
+        self.refuse("quads", "plain.vtp", "-o", "c/", "--revolve", "4,1", "--patch-type", "back:wall", says=["is a wedge"])
+        self.assertFalse((self.folder / "c").exists())
+
     def test_other_files_of_a_case_stay_and_a_failed_run_changes_nothing(self):
         case = self.folder / "case"
         (case / "0").mkdir(parents=True)

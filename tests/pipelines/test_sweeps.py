@@ -85,6 +85,14 @@ S
         self.assertGreater(min(volumes), 0)
         self.assertLess(abs(sum(volumes) / (math.pi * 4 * 3) - 1), 0.005)
         self.assertEqual(set(mesh.field_data), {"right", "top", "left", "domain"})
+        # About y = −1 the rectangle of 3 × 2 is a ring. The last of three layers is four times as high as the first.
+        self.quads("plain.vtp", "c.msh", "--revolve", "90,24,0,-1,1,-1")
+        mesh = meshio.read(self.folder / "c.msh")
+        volumes = [volume([list(mesh.points[i]) for i in row]) for row in mesh.cells_dict["hexahedron"]]
+        self.assertLess(abs(sum(volumes) / (math.pi / 4 * (3**2 - 1) * 3) - 1), 0.005)
+        self.quads("plain.vtp", "d.msh", "--extrude", "7,3,4")
+        heights = sorted({round(z, 9) for z in meshio.read(self.folder / "d.msh").points[:, 2]})
+        self.assertEqual(heights, [0, 1, 3, 7])
 
     def test_the_grid_and_its_blocks(self):
         report = self.quads("plate.vtp", "a.vtu", "--extrude", "0.5,3", "--blocks", "b.vtm")
@@ -129,10 +137,12 @@ S
 
     def test_refusals(self):
         for arguments, says in ((("--extrude", "0"), "'0' is not a positive height"),
-                                (("--extrude", "1,2.5"), "is not a positive height and a number of layers"),
+                                (("--extrude", "1,2.5"), "is not a positive height, a number of layers and a positive ratio"),
                                 (("--extrude", "1,2,x"), "is not a positive height"),
                                 (("--revolve", "361"), "is not an angle from 0 to 360"),
-                                (("--revolve", "90,2,z"), "x or y"),
+                                (("--extrude", "1,2,-3"), "is not a positive height"),
+                                (("--revolve", "90,2,z"), "x, y or two points"),
+                                (("--revolve", "90,2,1,1,1,1"), "x, y or two points"),
                                 (("--revolve", "90", "--extrude", "1"), "excludes"),
                                 (("--extrude", "1", "--order", "3"), "order 3 cannot be swept")):
             result = self.run_program("quads", "plain.vtp", "-o", "a.vtu", *arguments)
@@ -140,5 +150,5 @@ S
             self.assertIn(says, result.stderr)
             self.assertFalse((self.folder / "a.vtu").exists())
         write_domain(self.folder / "crossing.vtp", [[(0, -1, "a"), (3, -1, "b"), (3, 1, "c"), (0, 1, "d")]])
-        self.refuse("quads", "crossing.vtp", "-o", "a.vtu", "--revolve", "90", says=["both sides of the axis y = 0"])
+        self.refuse("quads", "crossing.vtp", "-o", "a.vtu", "--revolve", "90", says=["both sides of the axis"])
         self.refuse("quads", "plain.vtp", "-o", "a.vtu", "--revolve", "90", "--order", "2", says=["prisms of order 2"])

@@ -41,7 +41,7 @@ PROXIES = {
     "SmoothQuads": ("filters", "Input SlideOnBoundary CornerAngle UniformSizes"),
     "QuadsToHigherOrder": ("filters", "Input Boundary Order"),
     "ExtrudeQuads": ("filters", "Input Boundary Motion Layers Height Angle Axis"),
-    "QuadMeshWriter": ("writers", "Input FileName MshVersion"),
+    "QuadMeshWriter": ("writers", "Input FileName MshVersion PatchTypes"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
     "SingularityOptimizer": (

@@ -208,7 +208,8 @@ std::vector<FoamPatch> FoamPatches(const SolverMesh& mesh, std::vector<int>& pat
     }
     patchOf.push_back(static_cast<int>(names.size()));
     names.push_back(mesh.sideNames[side]);
-    types.emplace_back(isEnd ? "wedge" : "patch");
+    const auto given = mesh.patchTypes.find(mesh.sideNames[side]);
+    types.emplace_back(isEnd ? "wedge" : given != mesh.patchTypes.end() ? given->second : "patch");
   }
   if (isFlat)
   {

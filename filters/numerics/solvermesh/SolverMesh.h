@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,6 +88,8 @@ struct SolverMesh
   std::vector<int> faces; ///< Corners of all boundary faces, 2 or 4 each, in any direction.
   std::vector<int> side;  ///< Per face, index of its side.
   std::vector<std::string> sideNames;
+  /// Types of patches in OpenFOAM by names of sides; others have the default (FoamMesh.h).
+  std::map<std::string, std::string> patchTypes;
   std::vector<int> curve; ///< Per face, index of its curve, −1 without one; empty without curves.
   std::vector<PlaneCurve> curves; ///< In coordinates of the plane of quads (DomainPlane.h).
   std::vector<MeshBlock> blocks;  ///< Right-handed, of all cells; empty if they are not known.

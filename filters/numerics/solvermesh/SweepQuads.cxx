@@ -76,6 +76,15 @@ void RequireValid(const SolverMesh& quads, const Sweep& sweep)
   {
     throw Error("The height of an extrusion must be positive.");
   }
+  if (!(sweep.ratio > 0.0 && std::isfinite(sweep.ratio)))
+  {
+    throw Error("The ratio of the last to the first layer must be positive.");
+  }
+  if (!(sweep.axisDirection.norm() > 0.0 && sweep.axisDirection.allFinite() &&
+        sweep.axisPoint.allFinite()))
+  {
+    throw Error("The axis of a revolution needs two different points.");
+  }
   if (sweep.kind == Sweep::Rotation && !(sweep.angle > 0.0 && sweep.angle <= FullTurn))
   {
     throw Error("The angle of a revolution must be more than 0 and at most 360 degrees.");
@@ -88,6 +97,23 @@ void RequireValid(const SolverMesh& quads, const Sweep& sweep)
   }
 }
 
+/// Returns the part of a sweep at a level, `order` levels in each layer.
+double PartAt(const Sweep& sweep, int order, int level)
+{
+  const auto count = static_cast<double>(sweep.layers);
+  if (sweep.kind == Sweep::Rotation || sweep.layers == 1 || sweep.ratio == 1.0)
+  {
+    return static_cast<double>(level) / (count * order);
+  }
+  const double quotient = std::pow(sweep.ratio, 1.0 / (count - 1.0));
+  const auto below = [&](int layers)
+  { return std::expm1(layers * std::log(quotient)) / std::expm1(count * std::log(quotient)); };
+  const int layer = level / order;
+  const double between = static_cast<double>(level % order) / order;
+  return between == 0.0 ? below(layer)
+                        : (1.0 - between) * below(layer) + between * below(layer + 1);
+}
+
 /// Places of the nodes of quads at any part of a sweep.
 class SweptPlaces
 {
@@ -96,8 +122,10 @@ public:
     : Quads(quads)
     , Settings(sweep)
     , Normal(NormalOf(quads))
+    , Across(-sweep.axisDirection.y(), sweep.axisDirection.x())
     , OnAxis(quads.points.size(), false)
   {
+    this->Across.normalize();
     if (sweep.kind == Sweep::Rotation)
     {
       this->FindAxis();
@@ -120,24 +148,30 @@ public:
     {
       return start;
     }
-    const int across = 1 - this->Settings.axis;
-    const double distance = this->OnAxis[point] ? 0.0 : start[across];
+    const double offset = this->DistanceOf(point);
+    const double distance = this->OnAxis[point] ? 0.0 : offset;
+    const Point onAxis = start.head<2>() - offset * this->Across;
     Eigen::Vector3d place = start;
-    place[across] = distance * std::cos(angle);
+    place.head<2>() = onAxis + distance * std::cos(angle) * this->Across;
     place.z() += this->Normal.z() * std::abs(distance) * std::sin(angle);
     return place;
   }
 
 private:
+  /// Returns the signed distance of a point from the axis.
+  double DistanceOf(int point) const
+  {
+    return this->Across.dot(this->Quads.points[point].head<2>() - this->Settings.axisPoint);
+  }
+
   void FindAxis()
   {
-    const int across = 1 - this->Settings.axis;
     const double tolerance = PlaneRounding * ExtentOf(this->Quads.points);
     int positive = -1;
     int negative = -1;
     for (const int point : this->Quads.cells)
     {
-      const double distance = this->Quads.points[point][across];
+      const double distance = this->DistanceOf(point);
       this->OnAxis[point] = std::abs(distance) <= tolerance;
       if (!this->OnAxis[point])
       {
@@ -146,15 +180,15 @@ private:
     }
     if (positive >= 0 && negative >= 0)
     {
-      throw Error(std::string("The quads are on both sides of the axis ") +
-        (across == 1 ? "y" : "x") + " = 0, at " + PlaceOf(this->Quads, positive) + " and " +
-        PlaceOf(this->Quads, negative) + "; move the domain to one side.");
+      throw Error("The quads are on both sides of the axis, at " + PlaceOf(this->Quads, positive) +
+        " and " + PlaceOf(this->Quads, negative) + "; move the axis or the domain to one side.");
     }
   }
 
   const SolverMesh& Quads;
   const Sweep& Settings;
   Eigen::Vector3d Normal;
+  Point Across; ///< Unit vector normal to the axis.
   std::vector<bool> OnAxis;
 };
 
@@ -178,7 +212,7 @@ public:
     const std::vector<int> used = ElementNodes(quads, NodeOrder::Vtk).UsedPoints();
     for (int level = 0; level < this->Levels; ++level)
     {
-      const double part = static_cast<double>(level) / (sweep.layers * quads.order);
+      const double part = PartAt(sweep, quads.order, level);
       for (const int point : used)
       {
         int& number = this->Numbers[Index(level) * this->PointCount + Index(point)];
@@ -281,9 +315,11 @@ bool Commutes(const Eigen::Matrix4d& motion, const Sweep& sweep)
   {
     return true; // the motion is in the plane of the quads
   }
-  Eigen::Matrix4d alongAxis = motion;
-  alongAxis(sweep.axis, 3) = 0.0;
-  return alongAxis.isIdentity(PlaneRounding);
+  const Point direction = sweep.axisDirection.normalized();
+  Eigen::Matrix4d acrossAxis = motion;
+  acrossAxis.topRightCorner<2, 1>() -= direction.dot(motion.topRightCorner<2, 1>()) * direction;
+  // topRightCorner has the rows x and y of the column of the translation.
+  return acrossAxis.isIdentity(PlaneRounding);
 }
 }
 
@@ -296,6 +332,7 @@ SolverMesh SweepQuads(const SolverMesh& quads, const Sweep& sweep)
   mesh.order = quads.order;
   mesh.regionNames = quads.regionNames;
   mesh.sideNames = quads.sideNames;
+  mesh.patchTypes = quads.patchTypes;
   std::copy_if(quads.pairs.begin(), quads.pairs.end(), std::back_inserter(mesh.pairs),
     [&sweep](const SidePair& pair) { return Commutes(pair.motion, sweep); });
   const int p = quads.order;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Plane.h"
 #include "SolverMesh.h"
 
 #include <array>
@@ -13,21 +14,22 @@ struct Sweep
   enum Kind
   {
     Translation, ///< By `height` along the normal of the quads.
-    Rotation     ///< By `angle` about `axis`, a line in the plane of the quads.
+    Rotation     ///< By `angle` about a line in the plane of the quads.
   };
   Kind kind = Translation;
   int layers = 1;      ///< Number of layers, positive.
   double height = 1.0; ///< Positive.
-  double angle = 90.0; ///< Degrees, more than 0 and at most 360; 360 closes the mesh.
-  /// 0: the line y = 0; 1: the line x = 0; both at the z of the quads.
-  int axis = 0;
+  double ratio = 1.0; ///< Height of the last layer of a translation by that of the first, positive.
+  double angle = 90.0;             ///< Degrees, more than 0 and at most 360; 360 closes the mesh.
+  Point axisPoint = Point::Zero(); ///< A point of the axis, which is at the z of the quads.
+  Point axisDirection = Point(1.0, 0.0);                 ///< Direction of the axis, not zero.
   std::array<std::string, 2> ends = { "back", "front" }; ///< Sides at the start and the end.
 };
 
 /// Sweeps quads of order 1 or 2 to hexahedra of the same order. Lengths have the unit of the points.
 ///
-/// Layer l of the translation is between the heights h l / n and h (l + 1) / n along the unit normal from
-/// which quads are counter-clockwise. The rotation begins into the direction of the normal; it goes from
+/// The heights of the n layers of a translation are h₁ q^l with q = ratio^(1/(n−1)) and the sum `height`, along
+/// the unit normal from which quads are counter-clockwise. The rotation begins into the direction of the normal; it goes from
 /// 0 to the angle, and with one layer from minus half to half of the angle, as a wedge of OpenFOAM. Sides
 /// keep their names. If a side has the name of an end, the end is called `front_2`, or with the next free
 /// number. The order of cells is that of the quads in each layer; that of faces is that of the edges in each

@@ -1,5 +1,6 @@
 #include "SolverMeshReading.h"
 
+#include "BoundarySides.h"
 #include "CellLoop.h"
 #include "CurveConversion.h"
 #include "ElementNodes.h"
@@ -19,8 +20,10 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -246,7 +249,49 @@ SolverMesh Read(vtkUnstructuredGrid* grid)
   mesh.blocks = ReadBlocks(mesh, grid->GetCellData());
   mesh.sweep = ReadSweep(grid->GetFieldData(), numbers);
   mesh.pairs = PeriodicConversion::Read(grid->GetFieldData(), mesh.sideNames);
+  if (auto* layers =
+        vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(names::LayerSide)))
+  {
+    for (vtkIdType i = 0; i < layers->GetNumberOfValues(); ++i)
+    {
+      mesh.patchTypes[layers->GetValue(i)] = "wall";
+    }
+  }
   return mesh;
+}
+
+//------------------------------------------------------------------------------
+void SetPatchTypes(const std::map<std::string, std::string>& types, SolverMesh& mesh)
+{
+  // Types that need other entries, or faces that only the writer knows.
+  const std::set<std::string> others = { "cyclic", "cyclicAMI", "cyclicACMI", "cyclicSlip", "empty",
+    "processor", "processorCyclic", "wedge" };
+  for (const auto& [name, type] : types)
+  {
+    crossfield::RequireSide(mesh.sideNames, name, " for the patch type '" + type + "'");
+    const auto side = std::find(mesh.sideNames.begin(), mesh.sideNames.end(), name);
+    const auto index = static_cast<int>(side - mesh.sideNames.begin());
+    const bool isPeriodic = std::any_of(mesh.pairs.begin(), mesh.pairs.end(),
+      [index](const crossfield::SidePair& pair)
+      { return pair.first == index || pair.second == index; });
+    const bool isEnd =
+      mesh.sweep.layers == 1 && (index == mesh.sweep.back || index == mesh.sweep.front);
+    if (isPeriodic || isEnd)
+    {
+      throw Error("The patch of the side '" + name + "' is " +
+        (isPeriodic                 ? "cyclic"
+            : mesh.sweep.isRotation ? "a wedge"
+                                    : "empty") +
+        "; leave out its type '" + type + "'.");
+    }
+    if (others.count(type) > 0 ||
+      !std::all_of(type.begin(), type.end(), [](unsigned char c) { return std::isalpha(c) != 0; }))
+    {
+      throw Error("A patch of the side '" + name + "' cannot have the type '" + type +
+        "'; give wall, patch, symmetry or another type without further entries.");
+    }
+    mesh.patchTypes[name] = type;
+  }
 }
 
 //------------------------------------------------------------------------------

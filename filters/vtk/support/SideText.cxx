@@ -317,6 +317,18 @@ std::vector<Row> ReadPartners(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+std::map<std::string, std::string> ReadPatchTypes(const std::string& text)
+{
+  std::map<std::string, std::string> types;
+  for (const Entry& entry :
+    ReadEntries(text, "type of a patch", "NAME:TYPE, such as cylinder:wall"))
+  {
+    types[entry.name] = entry.value;
+  }
+  return types;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Row> ReadCornerRows(const std::string& text)
 {
   std::vector<Row> rows;

@@ -6,6 +6,7 @@
 #include "QuadRequest.h"
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ extern const std::array<Column, 10> Columns;
 std::vector<Row> ReadLayers(const std::string& text);
 /** Reads entries A:B. */
 std::vector<Row> ReadPartners(const std::string& text);
+/** Reads entries NAME:TYPE, types of patches by names of sides. */
+std::map<std::string, std::string> ReadPatchTypes(const std::string& text);
 /** Reads entries WHERE:end, WHERE:turn or WHERE:leave. */
 std::vector<Row> ReadCornerRows(const std::string& text);
 /** Reads entries NAME:circle, NAME:ellipse, NAME:spline, NAME:line and auto. */

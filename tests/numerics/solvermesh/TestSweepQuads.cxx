@@ -108,7 +108,7 @@ Sweep Rotation(double angle, int layers, int axis = 0)
   sweep.kind = Sweep::Rotation;
   sweep.angle = angle;
   sweep.layers = layers;
-  sweep.axis = axis;
+  sweep.axisDirection = axis == 0 ? Point(1.0, 0.0) : Point(0.0, 1.0);
   return sweep;
 }
 }
@@ -262,6 +262,52 @@ TEST(SweepQuads, AnotherAxis)
   EXPECT_NO_THROW(SweepQuads(quads, Rotation(90.0, 4, 0))) << "below the axis";
 }
 
+/// Turning the quads and the axis together turns the mesh, and Pappus gives its volume.
+TEST(SweepQuads, AnyAxisInThePlane)
+{
+  const SolverMesh quads = Rectangle(2, 2, 1.0);
+  const SolverMesh swept = SweepQuads(quads, Rotation(90.0, 24));
+  const Eigen::Rotation2Dd turn(0.7);
+  const Point shift(3.0, -2.0);
+  SolverMesh other = quads;
+  for (Eigen::Vector3d& point : other.points)
+  {
+    point.head<2>() = turn * point.head<2>() + shift;
+  }
+  Sweep sweep = Rotation(90.0, 24);
+  sweep.axisPoint = shift + turn * Point(5.0, 0.0);
+  sweep.axisDirection = turn * Point(-2.0, 0.0);
+  const SolverMesh turned = SweepQuads(other, sweep);
+  ASSERT_EQ(turned.points.size(), swept.points.size());
+  for (std::size_t i = 0; i < swept.points.size(); ++i)
+  {
+    const Point expected = turn * swept.points[i].head<2>() + shift;
+    EXPECT_LT((turned.points[i].head<2>() - expected).norm(), 1e-12);
+    EXPECT_NEAR(turned.points[i].z(), swept.points[i].z(), 1e-12);
+  }
+  EXPECT_NEAR(VolumeInside(turned) / (0.5 * Pi * 1.25 * 0.5), 1.0, 1e-3);
+  sweep.axisDirection = Point::Zero();
+  ExpectError(other, sweep, "two different points");
+}
+
+TEST(SweepQuads, LayersGrowByARatio)
+{
+  SolverMesh quads = LatticeMesh(2, 2, 2, 2, 1).Mesh;
+  OrientCells(quads);
+  Sweep sweep;
+  sweep.layers = 3;
+  sweep.height = 7.0;
+  sweep.ratio = 4.0; // heights 1, 2 and 4
+  std::set<double> heights;
+  for (const Eigen::Vector3d& point : SweepQuads(quads, sweep).points)
+  {
+    heights.insert(std::round(1e9 * (point.z() - quads.points[0].z())) / 1e9);
+  }
+  EXPECT_EQ(heights, (std::set<double>{ 0.0, 0.5, 1.0, 2.0, 3.0, 5.0, 7.0 }));
+  sweep.ratio = 0.0;
+  ExpectError(quads, sweep, "ratio of the last to the first layer must be positive");
+}
+
 TEST(SweepQuads, PeriodicSidesStayPeriodicAlongTheAxis)
 {
   SolverMesh quads = Rectangle(4, 3, 1.0);
@@ -308,7 +354,7 @@ TEST(SweepQuads, Refusals)
   ExpectError(quads, Rotation(361.0, 1), "more than 0 and at most 360");
   ExpectError({}, Sweep(), "no quads");
   ExpectError(LatticeMesh(2, 3, 2, 2, 1).Mesh, Sweep(), "order 3");
-  ExpectError(Rectangle(2, 4, -0.5), Rotation(90.0, 2), "both sides of the axis y = 0");
+  ExpectError(Rectangle(2, 4, -0.5), Rotation(90.0, 2), "both sides of the axis");
   SolverMesh corner = Rectangle(1, 1, 0.0);
   corner.points[1].y() = 0.1;
   ExpectError(corner, Rotation(90.0, 2), "other than one edge");
