@@ -24,7 +24,7 @@ fuzz() {
 
 fuzz configuration build-checked/bin/fuzzConfiguration
 fuzz formats build-checked/bin/fuzzFormats
-for format in vtp vtu vtk stl obj ply csv dat dxf svg geojson msh points.vtp points.csv; do
+for format in vtp vtu vtk stl obj ply csv dat dxf svg geojson msh poly off points.vtp points.csv; do
   fuzz $format build-checked/bin/fuzzReader --format=$format
 done
 exit $status

@@ -17,7 +17,7 @@ from .vtkCrossFieldFilters import vtkBoundarySimplifier
 @checks_arguments
 def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[float] = None,
              smooth: float = 0.0, keep: Singularities = None, corner_angle: float = 30.0,
-             curves: Optional[Curves] = None
+             curves: Optional[Curves] = None, part: Union[str, int] = ""
              ) -> tuple[Union[vtkPolyData, vtkUnstructuredGrid], float]:
     """Returns a domain with less detail in its boundary, and the maximum distance that the boundary
     was moved.
@@ -30,6 +30,8 @@ def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[flo
 
     curves  curves that sides stand for, as for `quads`: they are fitted before the boundary is simplified, and
             the domain has them
+    part    which of several separate parts of the domain: "largest", a number from 1 for the largest, or the name of a
+            side that one part alone has
 
     The program simplifies every domain; the other functions of this package do not.
 
@@ -44,6 +46,7 @@ def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[flo
     pipeline = Pipeline()
     simplifier = pipeline.add(vtkBoundarySimplifier())
     simplifier.SetInputData(as_domain(domain, size))
+    simplifier.SetPart(str(part))
     simplifier.SetMeshSize(checked(size))
     simplifier.SetThinningLength(-1.0 if thin is None else thin)
     simplifier.SetSmoothingLength(smooth)

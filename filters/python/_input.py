@@ -92,10 +92,11 @@ def _loops(loops: Any) -> vtkPolyData:
 
 
 @checks_arguments
-def read(path: Path, join_tolerance: Optional[float] = None) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+def read(path: Path, join_tolerance: Optional[float] = None,
+         layers: Sequence[str] = ()) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
-    aerofoil .dat, or a drawing: .dxf .svg .geojson .msh .step .brep, whose open ends are joined within
-    `join_tolerance`, by default 1e-5 of its diagonal. "builtin:NAME" is a built-in domain.
+    aerofoil .dat, or a drawing: .dxf .svg .geojson .msh .poly .off .step .brep, whose open ends are joined within
+    `join_tolerance`, by default 1e-5 of its diagonal. Of a drawing, the curves of `layers` are used, by default all. "builtin:NAME" is a built-in domain.
 
     Raises Error if there is no such file or domain, or the file cannot be read or holds no cells.
     """
@@ -109,7 +110,10 @@ def read(path: Path, join_tolerance: Optional[float] = None) -> Union[vtkPolyDat
         drawing = vtkDrawingReader()
         drawing.SetFileName(path)
         drawing.SetJoinTolerance(join_tolerance or 0.0)
+        drawing.SetLayers(";".join(layers))
         return Pipeline().update_one(drawing).GetOutput()
+    if layers:
+        raise Error("The file '%s' is no drawing and has no layers; leave them out." % path)
     if ending in (".csv", ".dat"):
         reader = vtkPlanarDomainReader()
         reader.SetFileName(path)
@@ -118,7 +122,7 @@ def read(path: Path, join_tolerance: Optional[float] = None) -> Union[vtkPolyDat
         data = _read_with(_READERS[ending], path)
     else:
         raise Error("The file '%s' has an unknown ending; give one of %s, .csv, .dat, .dxf, .svg, "
-                    ".geojson, .msh, .step or .brep." % (path, ", ".join(_READERS)))
+                    ".geojson, .msh, .poly, .off, .step or .brep." % (path, ", ".join(_READERS)))
     if not isinstance(data, vtkDataSet) or data.GetNumberOfCells() == 0:
         raise Error(
             "The file '%s' holds no cells; give boundary lines or a triangle mesh." % path)

@@ -9,6 +9,7 @@
 #include "FilterRun.h"
 #include "InputCheck.h"
 #include "MaterialCheck.h"
+#include "PartSelection.h"
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SideText.h"
@@ -293,12 +294,15 @@ int vtkBoundarySimplifier::FillInputPortInformation(int port, vtkInformation* in
 int vtkBoundarySimplifier::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* whole = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
-  return FilterRun::Run(this, this->ErrorCode, input,
+  return FilterRun::Run(this, this->ErrorCode, whole,
     [&](const crossfield::Progress& progress)
     {
-      InputCheck::Require(input);
+      InputCheck::Require(whole);
+      const vtkSmartPointer<vtkDataSet> part =
+        PartSelection::Select(whole, this->Part, this->SideNameArray);
+      vtkDataSet* input = part;
       const crossfield::CurveRequest request = SideText::ReadCurves(this->Curves);
       const bool isRequested = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
       if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr ||
@@ -425,6 +429,7 @@ void vtkBoundarySimplifier::ClearKeptSides()
 void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Part: " << this->Part << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "ThinningLength: " << this->ThinningLength << "\n";
   os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";

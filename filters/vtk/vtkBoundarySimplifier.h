@@ -49,6 +49,17 @@ public:
 
   ///@{
   /**
+   * Sets the part of a domain of several parts that the output has: "largest", a number from 1 for the largest,
+   * or the name of a side that one part alone has. Default: empty; several parts are then an error.
+   */
+  vtkSetMacro(Part, std::string);
+  vtkGetMacro(Part, std::string);
+  ///@}
+  /** Sets the part; overload for ParaView. */
+  void SetPart(const char* part) { this->SetPart(std::string(part ? part : "")); }
+
+  ///@{
+  /**
    * Sets the edge length of the mesh for which the domain is simplified. Default: 0, 1/40 of the
    * diagonal of the bounding box of the domain. Range: 0 or more.
    */
@@ -136,6 +147,7 @@ private:
   vtkBoundarySimplifier(const vtkBoundarySimplifier&) = delete;
   void operator=(const vtkBoundarySimplifier&) = delete;
 
+  std::string Part;
   double MeshSize = 0.0;
   double ThinningLength = -1.0;
   double SmoothingLength = 0.0;

@@ -3,6 +3,7 @@
 #include "CadLibrary.h"
 #include "DrawingConversion.h"
 #include "DrawingFormats.h"
+#include "DrawingLayers.h"
 #include "DrawingOutline.h"
 #include "Error.h"
 #include "FilterRun.h"
@@ -15,6 +16,8 @@
 #include "vtkPolyData.h"
 
 #include <vtksys/SystemTools.hxx>
+
+#include <sstream>
 
 vtkStandardNewMacro(vtkDrawingReader);
 
@@ -77,7 +80,14 @@ int vtkDrawingReader::RequestData(
   return FilterRun::Run(this, this->ErrorCode,
     [&](const crossfield::Progress& progress)
     {
-      const crossfield::Drawing drawing = ReadFile(this->FileName);
+      crossfield::Drawing drawing = ReadFile(this->FileName);
+      std::vector<std::string> layers;
+      std::istringstream text(this->Layers);
+      for (std::string layer; std::getline(text, layer, ';');)
+      {
+        layers.push_back(layer);
+      }
+      crossfield::KeepLayers(layers, drawing);
       constexpr double ReadShare = 0.5;
       progress.Report(ReadShare);
       const crossfield::DrawingOutline outline = crossfield::TraceOutline(
@@ -95,6 +105,7 @@ void vtkDrawingReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "JoinTolerance: " << this->JoinTolerance << "\n";
   os << indent << "SamplingAngle: " << this->SamplingAngle << "\n";
 }

@@ -7,8 +7,10 @@
  * - .dxf: an ASCII drawing with LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE and POLYLINE, also in
  *   blocks. Layers are names of sides; layer 0 is no name.
  * - .svg: paths and other shapes; names are the ids of shapes or of their groups. y is negated.
- * - .geojson or .json: one polygon with its holes.
+ * - .geojson or .json: polygons with their holes.
  * - .msh: the boundary of a mesh of Gmsh, format 2.2 or 4.1; names are its physical groups.
+ * - .poly: the segments of a file of Triangle; names are its boundary markers other than 0.
+ * - .off: the boundary of a mesh of polygons.
  * - .dat: an aerofoil in Selig's or Lednicer's format, as a spline through its points. Other .dat
  *   files are read by vtkPlanarDomainReader.
  * - .step, .stp or .brep: the largest planar face, if Open CASCADE was installed for the build.
@@ -68,6 +70,17 @@ public:
 
   ///@{
   /**
+   * Sets the layers whose curves are used, by their names, separated by semicolons; "0" stands for curves without a
+   * name. Default: empty, all curves.
+   */
+  vtkSetMacro(Layers, std::string);
+  vtkGetMacro(Layers, std::string);
+  ///@}
+  /** Sets the layers; overload for ParaView. */
+  void SetLayers(const char* layers) { this->SetLayers(std::string(layers ? layers : "")); }
+
+  ///@{
+  /**
    * Sets the maximum turn of a curve along one line, in degrees from 0.1 to 30. Default: 5.
    */
   vtkSetClampMacro(SamplingAngle, double, 0.1, 30.0);
@@ -94,6 +107,7 @@ private:
   void operator=(const vtkDrawingReader&) = delete;
 
   std::string FileName;
+  std::string Layers;
   double JoinTolerance = 0.0;
   double SamplingAngle = 5.0;
 };

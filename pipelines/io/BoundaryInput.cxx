@@ -64,6 +64,17 @@ void PrintRemovedCorners(vtkBoundarySimplifier* simplifier)
 void BoundaryOptions::AddTo(CLI::App& command)
 {
   command
+    .add_option("--part", this->part,
+      "part of a domain of several separate parts: largest, a number from 1 for the largest, or the name of a "
+      "side that one part alone has")
+    ->type_name("NAME|N|largest");
+  command
+    .add_option("--drawing-layer", this->layers,
+      "use the curves of this layer of a drawing only; may be repeated")
+    ->type_name("NAME")
+    ->expected(1)
+    ->take_all();
+  command
     .add_option("--thin-boundary", this->thinning,
       "remove boundary detail below this length, 0 for none; default: 0.02 of the target edge "
       "length")
@@ -86,7 +97,8 @@ vtkSmartPointer<vtkAlgorithm> Open(
 {
   auto simplifier = vtkSmartPointer<vtkBoundarySimplifier>::New();
   simplifier->SetInputConnection(
-    DomainReader::Open(name, size, options.joinTolerance)->GetOutputPort());
+    DomainReader::Open(name, size, options.joinTolerance, options.layers)->GetOutputPort());
+  simplifier->SetPart(options.part);
   simplifier->SetMeshSize(size);
   simplifier->SetThinningLength(options.thinning);
   simplifier->SetSmoothingLength(options.smoothing);

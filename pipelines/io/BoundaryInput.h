@@ -16,6 +16,8 @@ class App;
 /** Options that simplify the boundary of a command's domain. */
 struct BoundaryOptions
 {
+  std::string part;                                  ///< Part of vtkBoundarySimplifier.
+  std::vector<std::string> layers;                   ///< Layers of vtkDrawingReader.
   double thinning = -1.0;                            ///< ThinningLength of vtkBoundarySimplifier.
   double smoothing = 0.0;                            ///< SmoothingLength of vtkBoundarySimplifier.
   double joinTolerance = 0.0;                        ///< JoinTolerance of vtkDrawingReader.
@@ -24,7 +26,7 @@ struct BoundaryOptions
   std::vector<std::string> kept;                     ///< AddKeptSide of vtkBoundarySimplifier.
   std::string curves;                                ///< Curves of vtkBoundarySimplifier.
 
-  /** Adds the options --thin-boundary, --smooth-boundary and --join-tolerance. */
+  /** Adds the options --part, --drawing-layer, --thin-boundary, --smooth-boundary and --join-tolerance. */
   void AddTo(CLI::App& command);
 };
 

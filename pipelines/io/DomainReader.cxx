@@ -148,11 +148,17 @@ vtkSmartPointer<vtkAlgorithm> OpenLoops(const std::string& file, const std::stri
 }
 
 /** Reads a drawing. Open CASCADE may crash on a damaged model, so models are read in isolation. */
-vtkSmartPointer<vtkAlgorithm> OpenDrawing(
-  const std::string& file, const std::string& ending, double joinTolerance)
+vtkSmartPointer<vtkAlgorithm> OpenDrawing(const std::string& file, const std::string& ending,
+  double joinTolerance, const std::vector<std::string>& layers)
 {
   vtkNew<vtkDrawingReader> reader;
   reader->SetFileName(file);
+  std::string names;
+  for (const std::string& layer : layers)
+  {
+    names += layer + ";";
+  }
+  reader->SetLayers(names);
   reader->SetJoinTolerance(joinTolerance);
   if (ending == ".step" || ending == ".stp" || ending == ".brep")
   {
@@ -210,12 +216,18 @@ namespace DomainReader
 {
 const char* const Help =
   "domain: boundary loops or a triangle mesh in a .vtp .vtu .vtk .stl .obj .ply file, a .csv file "
-  "with the points x,y or x,y,z of loops, an aerofoil .dat, a drawing .dxf .svg .geojson .msh .step "
+  "with the points x,y or x,y,z of loops, an aerofoil .dat, a drawing .dxf .svg .geojson .msh .poly .off .step "
   ".brep, - for standard input, or builtin:NAME (see `crossfield domain --help`)";
 
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, double joinTolerance)
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, double joinTolerance,
+  const std::vector<std::string>& layers)
 {
   const std::string argument = NameOfInput(name);
+  if (!layers.empty() && vtkDrawingReader::CanReadFile(argument.c_str()) == 0)
+  {
+    throw Error(
+      "--drawing-layer: the domain '" + argument + "' is no drawing; leave the option out.");
+  }
   const std::string builtin = "builtin:";
   if (argument.compare(0, builtin.size(), builtin) == 0)
   {
@@ -262,7 +274,7 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, d
   }
   if (vtkDrawingReader::CanReadFile(argument.c_str()) != 0)
   {
-    return OpenDrawing(argument, ending, joinTolerance);
+    return OpenDrawing(argument, ending, joinTolerance, layers);
   }
   if (ending == ".csv" || ending == ".dat")
   {
@@ -270,7 +282,7 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, d
   }
   throw Error("The domain '" + argument +
     "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply, .csv, .dat, .dxf, .svg, .geojson, .msh, "
-    ".step or .brep file.");
+    ".poly, .off, .step or .brep file.");
 }
 
 vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& name)

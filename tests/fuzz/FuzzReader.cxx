@@ -2,7 +2,7 @@
  * Writes the bytes of the fuzzer to a file, reads it as a domain or as singularities, and runs a
  * filter that converts and checks it. The result is an output or an error of one sentence.
  *
- *   fuzzReader --format=vtp     (domains: vtp vtu vtk stl obj ply csv dat dxf svg geojson msh; singularities: points.vtp points.csv)
+ *   fuzzReader --format=vtp     (domains: vtp vtu vtk stl obj ply csv dat dxf svg geojson msh poly off; singularities: points.vtp points.csv)
  */
 #include "DomainReader.h"
 #include "PipelineRun.h"

@@ -109,12 +109,36 @@ class Drawings(ProgramTest):
         for name, (rows, *parts) in cases.items():
             with self.subTest(name):
                 self.refuse_text(name + ".dxf", dxf(rows), *parts)
-        self.refuse_text("two.geojson", json.dumps({"type": "MultiPolygon", "coordinates": 2 * [
-            json.loads(drawing_files.GEOJSON)["coordinates"]]}), "2 polygons")
-        for ending in ("dxf", "svg", "geojson", "msh", "step", "brep"):
+        for ending in ("dxf", "svg", "geojson", "msh", "poly", "off", "step", "brep"):
             for text in ("", "this is no drawing\n"):
                 with self.subTest(f"{text!r} as .{ending}"):
                     self.refuse_text("words." + ending, text)
+
+    def test_parts_and_layers_are_chosen(self):
+        self.write("plates.dxf", dxf(plate() + [circle((9, 9), 1), line((20, 0), (21, 0), "pin"), line((21, 0), (20, 1), "pin"),
+                                                line((20, 1), (20, 0), "pin")]))
+        self.refuse("quads", "plates.dxf", "-o", "a.vtu", says=["3 parts", "--part"])
+        areas = []
+        for part in ("largest", "1", "2", "3", "pin"):
+            report = json.loads(self.succeed("quads", "plates.dxf", "-o", "a.vtu", "--quads", "100", "--json", "-", "--part", part))
+            areas.append(report["quads"] * report["sizes"]["mean"]**2)
+        self.assertEqual(areas[0], areas[1])
+        self.assertEqual(areas[3], areas[4])
+        self.assertGreater(areas[1], areas[2])
+        self.assertGreater(areas[2], areas[3])
+        self.refuse("check", "plates.dxf", "--part", "4", says=["no part 4", "3 parts"])
+        self.refuse("check", "plates.dxf", "--part", "nowhere", says=["No part of the domain has a side 'nowhere'"])
+        output = self.succeed("check", "plates.dxf", "--drawing-layer", "pin", "--json", "-")
+        self.assertEqual(len(json.loads(output)["corners"]), 3)
+        self.refuse("check", "plates.dxf", "--drawing-layer", "cut", says=["no curves on the layer 'cut'", "'pin'"])
+        self.refuse("check", "builtin:disk", "--drawing-layer", "cut", says=["is no drawing"])
+
+    def test_files_of_triangle_and_off(self):
+        corpus = ROOT / "tests/fuzz/corpus"
+        report = json.loads(self.succeed("quads", corpus / "poly/plate.poly", "-o", "a.vtu", "--quads", "100", "--json", "-"))
+        self.assertEqual({side["name"] for side in report["sides"]}, {"1", "2"})
+        report = json.loads(self.succeed("quads", corpus / "off/two.off", "-o", "a.vtu", "--quads", "100", "--json", "-"))
+        self.assertEqual(report["irregular"], {})
 
     def damage_all(self, name, content, copies=30):
         """Expects a domain or one sentence for each damaged copy, and no crash."""

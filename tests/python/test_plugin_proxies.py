@@ -18,14 +18,14 @@ ICONS = os.path.join(PLUGIN, "icons")
 PROXIES = {
     "BoundaryCornerClassifier": (
         "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
-    "BoundarySimplifier": ("filters", "Input FixedPoints MeshSize ThinningLength SmoothingLength CornerAngle"),
+    "BoundarySimplifier": ("filters", "Input FixedPoints Part MeshSize ThinningLength SmoothingLength CornerAngle"),
     "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy CapCorners"),
     "ConfigurationProposal": (
         "filters", "Input Singularities Corners CornerAngle CancelFlatCorners CapCorners Alternatives "
         "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "PlanarDomainReader": ("sources", "FileName"),
-    "DrawingReader": ("sources", "FileName JoinTolerance SamplingAngle"),
+    "DrawingReader": ("sources", "FileName Layers JoinTolerance SamplingAngle"),
     "SingularitySource": ("sources", "Domain Singularities OutputRows FileName UseHandles Handles Plane"),
     "SingularityHandles": ("filters", "Input Domain Singularities OutputRows Plane"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),

@@ -5,6 +5,8 @@
 #include "ReadDxf.h"
 #include "ReadGeoJson.h"
 #include "ReadMsh.h"
+#include "ReadOff.h"
+#include "ReadPoly.h"
 #include "ReadSvg.h"
 #include "TextEncoding.h"
 
@@ -29,11 +31,15 @@ Drawing ReadText(DrawingFormat format, std::string_view text, const std::string&
     return ReadGeoJson(text, file);
   case DrawingFormat::Msh:
     return ReadMsh(text, file);
+  case DrawingFormat::Off:
+    return ReadOff(text, file);
+  case DrawingFormat::Poly:
+    return ReadPoly(text, file);
   case DrawingFormat::Svg:
     return ReadSvg(text, file);
   default:
     throw Error("The drawing '" + file +
-      "' has an unknown ending; give a .dxf, .svg, .geojson, .msh or .dat file.");
+      "' has an unknown ending; give a .dxf, .svg, .geojson, .msh, .poly, .off or .dat file.");
   }
 }
 }
@@ -55,6 +61,14 @@ DrawingFormat FormatOfEnding(const std::string& ending)
   if (ending == ".msh")
   {
     return DrawingFormat::Msh;
+  }
+  if (ending == ".off")
+  {
+    return DrawingFormat::Off;
+  }
+  if (ending == ".poly")
+  {
+    return DrawingFormat::Poly;
   }
   return ending == ".svg" ? DrawingFormat::Svg : DrawingFormat::None;
 }

@@ -15,6 +15,8 @@ enum class DrawingFormat
   Dxf,      ///< .dxf
   GeoJson,  ///< .geojson, or .json
   Msh,      ///< .msh
+  Off,      ///< .off
+  Poly,     ///< .poly of Triangle
   Svg       ///< .svg
 };
 

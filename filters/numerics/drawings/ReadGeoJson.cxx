@@ -30,14 +30,14 @@ public:
       throw Error("The file '" + this->File + "' is no valid JSON; export it again.");
     }
     this->Collect(document, 0);
-    if (this->Polygons.size() != 1)
+    if (this->Polygons.empty())
     {
-      throw Error("The file '" + this->File + "' has " +
-        (this->Polygons.empty() ? std::string("no polygon")
-                                : std::to_string(this->Polygons.size()) + " polygons") +
-        "; give one polygon, with its holes.");
+      throw Error("The file '" + this->File + "' has no polygon; give one.");
     }
-    this->AddRings(*this->Polygons.front());
+    for (const Json* polygon : this->Polygons)
+    {
+      this->AddRings(*polygon);
+    }
     this->Result.unit = document.contains("crs") ? "" : "degree";
     if (this->Others > 0)
     {

@@ -45,7 +45,7 @@ private:
 };
 }
 
-PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
+void RequireLoops(const std::vector<Loop>& loops)
 {
   if (loops.empty())
   {
@@ -72,15 +72,22 @@ PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
   }
   // the square of an extent beyond the bounds may be zero or infinite
   RequireExtent(box.sizes().maxCoeff());
+}
+
+PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
+{
+  RequireLoops(loops);
   const std::vector<int> depths = NestingDepths(loops);
-  if (std::count(depths.begin(), depths.end(), 0) > 1)
+  const auto parts =
+    std::count_if(depths.begin(), depths.end(), [](int depth) { return depth % 2 == 0; });
+  if (parts > 1)
   {
-    throw Error("The domain has several outer loops; give each connected part on its own.");
-  }
-  if (*std::max_element(depths.begin(), depths.end()) > 1)
-  {
-    throw Error("An inner loop lies inside another one, so the domain is not connected; give each "
-                "connected part on its own.");
+    const bool hasNested = *std::max_element(depths.begin(), depths.end()) > 1;
+    throw Error(std::string(hasNested ? "An inner loop lies inside another one, so the domain has "
+                                      : "The domain has several outer loops, so it has ") +
+      std::to_string(parts) +
+      " parts; choose one (Part of Boundary Simplifier, --part: largest, or a number from 1 for the "
+      "largest).");
   }
   for (std::size_t i = 0; i < loops.size(); ++i)
   {

@@ -238,8 +238,16 @@ crossfield::DomainPlane FindPlane(vtkDataSet* input)
   return UsedPoints(input).FindPlane(input);
 }
 
-//------------------------------------------------------------------------------
-Domain ReadDomain(vtkDataSet* input)
+namespace
+{
+/** Cells with merged points, and their boundary. */
+struct MergedCells
+{
+  vtkSmartPointer<vtkPolyData> cells;
+  Boundary boundary;
+};
+
+MergedCells ReadMerged(vtkDataSet* input)
 {
   InputCheck::Require(input);
   const vtkSmartPointer<vtkPolyData> cells = ExtractCurvesOrSurfaces(input);
@@ -247,24 +255,37 @@ Domain ReadDomain(vtkDataSet* input)
   cells->GetBounds(bounds);
   crossfield::RequireExtent(
     std::max({ 0.0, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
-  const vtkSmartPointer<vtkPolyData> merged = MergePoints(cells, MergeTolerance);
-  Domain result;
+  MergedCells result{ MergePoints(cells, MergeTolerance), {} };
   // Also checks the inside of a surface, which may not be planar although its boundary is.
-  result.plane = FindPlane(merged);
-  std::vector<crossfield::Loop> loops;
+  result.boundary.plane = FindPlane(result.cells);
   try
   {
-    loops = ChainCurves(merged, result.plane);
+    result.boundary.loops = ChainCurves(result.cells, result.boundary.plane);
   }
   catch (const Error&)
   {
-    RejectMergedPoints(cells, result.plane);
+    RejectMergedPoints(cells, result.boundary.plane);
     throw;
   }
-  result.domain = crossfield::MakePlanarDomain(std::move(loops));
-  if (merged->GetNumberOfPolys() > 0)
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+Boundary ReadLoops(vtkDataSet* input)
+{
+  return ReadMerged(input).boundary;
+}
+
+//------------------------------------------------------------------------------
+Domain ReadDomain(vtkDataSet* input)
+{
+  MergedCells merged = ReadMerged(input);
+  const Domain result{ crossfield::MakePlanarDomain(std::move(merged.boundary.loops)),
+    merged.boundary.plane };
+  if (merged.cells->GetNumberOfPolys() > 0)
   {
-    RequireCoveredOnce(merged, result);
+    RequireCoveredOnce(merged.cells, result);
   }
   return result;
 }

@@ -23,6 +23,16 @@ struct Domain
   crossfield::DomainPlane plane;
 };
 
+/** Boundary loops in any order and orientation, and their plane in space. */
+struct Boundary
+{
+  std::vector<crossfield::Loop> loops;
+  crossfield::DomainPlane plane;
+};
+
+/** Reads loops from lines, or from the boundary of surface cells, whose points are merged as in ReadDomain. */
+Boundary ReadLoops(vtkDataSet* input);
+
 /** Returns the plane of the points that the lines and surface cells of a data set use. */
 crossfield::DomainPlane FindPlane(vtkDataSet* input);
 
