@@ -134,7 +134,7 @@ class Drawings(ProgramTest):
         self.refuse("check", "builtin:disk", "--drawing-layer", "cut", says=["is no drawing"])
 
     def test_files_of_triangle_and_off(self):
-        corpus = ROOT / "tests/fuzz/corpus"
+        corpus = pathlib.Path(__file__).parents[1] / "fuzz/corpus"
         report = json.loads(self.succeed("quads", corpus / "poly/plate.poly", "-o", "a.vtu", "--quads", "100", "--json", "-"))
         self.assertEqual({side["name"] for side in report["sides"]}, {"1", "2"})
         report = json.loads(self.succeed("quads", corpus / "off/two.off", "-o", "a.vtu", "--quads", "100", "--json", "-"))

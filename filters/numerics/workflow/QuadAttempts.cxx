@@ -79,6 +79,13 @@ bool HaveSameSingularities(const QuadAttempt& a, const QuadAttempt& b)
   return a.hasSingularities == b.hasSingularities && a.layerDistance == b.layerDistance;
 }
 
+/// Returns whether inverted quads may be valid after singularities have moved: a node of valence 2 has none anywhere.
+bool MayBecomeValid(const PlanarDomain& domain, const ResolvedRequest& request)
+{
+  return !request.hold &&
+    (request.split || DescribeFlatNodes(domain, *request.singularities).empty());
+}
+
 bool IsOfKind(const std::optional<Error>& error, Error::Kind kind)
 {
   return error && error->GetKind() == kind;
@@ -294,9 +301,9 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const Resolve
     next.refinement = 1.0;
     return next;
   }
-  const bool hasFailed = isCoarse || (last.isInverted && !request.hold) || (isMoved && last.error);
-  if (request.singularities && !request.singularities->empty() && hasFailed &&
-    next.motion != SingularityMotion::MinimumEnergy)
+  if (request.singularities && !request.singularities->empty() &&
+    next.motion != SingularityMotion::MinimumEnergy &&
+    (isCoarse || (isMoved && last.error) || (last.isInverted && MayBecomeValid(domain, request))))
   {
     next.motion = SingularityMotion::MinimumEnergy;
     next.refinement = 1.0;

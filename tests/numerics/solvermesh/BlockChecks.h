@@ -331,7 +331,6 @@ inline SolverMesh Revolved(double angle)
   sweep.kind = Sweep::Rotation;
   sweep.angle = angle;
   sweep.layers = 6;
-  sweep.axis = 0;
   return SweepQuads(quads, sweep);
 }
 }
