@@ -322,7 +322,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "corners")
     ->type_name("ARRAY");
   options->sides.AddTo(*command);
-  const std::map<std::string, int> merges = { { "none", vtkQuadMesher::MergeNone },
+  const std::vector<std::pair<std::string, int>> merges = { { "none", vtkQuadMesher::MergeNone },
     { "clean", vtkQuadMesher::MergeClean }, { "coarse", vtkQuadMesher::MergeCoarse } };
   CLI::Option* merge =
     command
@@ -330,7 +330,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
         "separatrices that nearly meet: none keeps them apart; clean moves singularities until they "
         "meet, as far as the quads stay as good; coarse merges them in place, for the fewest blocks "
         "whose worst quad is at least half as good; default: none")
-      ->transform(CLI::CheckedTransformer(merges).description("{none,clean,coarse}"))
+      ->transform(NumberCheck::Word(merges))
       ->type_name("WORD");
   command
     ->add_flag_callback(
@@ -381,12 +381,12 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "order of the quads: 1, or 2 or 3 with boundary edges along the curves; default: 1")
     ->check(CLI::Range(1, 3));
   options->sweep.AddTo(*command);
-  const std::map<std::string, int> versions = { { "2.2", vtkQuadMeshWriter::Msh22 },
+  const std::vector<std::pair<std::string, int>> versions = { { "2.2", vtkQuadMeshWriter::Msh22 },
     { "4.1", vtkQuadMeshWriter::Msh41 } };
   command
     ->add_option("--msh-version", options->mshVersion,
       "version of a .msh file: 4.1, or 2.2 for programs such as gmshToFoam; default: 4.1")
-    ->transform(CLI::CheckedTransformer(versions).description("{2.2,4.1}"))
+    ->transform(NumberCheck::Word(versions))
     ->type_name("WORD");
   command
     ->add_option("--patch-type", options->patchTypes,

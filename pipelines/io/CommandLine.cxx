@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <map>
 
 namespace
 {
@@ -136,14 +135,15 @@ void AddRepairHolonomyTo(CLI::App& command, bool& repair)
 
 void AddArraysTo(CLI::App& command, int& arrays)
 {
-  const std::map<std::string, int> sets = { { "exact", vtkCrossFieldArraySets::Exact },
+  const std::vector<std::pair<std::string, int>> sets = { { "exact",
+                                                            vtkCrossFieldArraySets::Exact },
     { "display", vtkCrossFieldArraySets::Display }, { "all", vtkCrossFieldArraySets::All } };
   command
     .add_option("--arrays", arrays,
       "arrays to write: exact, only the field itself, which is all that other subcommands need; "
       "display, also the crosses, their norm and the size field; all, also the arrays that follow "
       "from these; default: all")
-    ->transform(CLI::CheckedTransformer(sets).description("{exact,display,all}"))
+    ->transform(NumberCheck::Word(sets))
     ->type_name("TEXT");
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -74,5 +75,29 @@ CLI::Validator Whole(int minimum, int maximum)
       return std::string();
     },
     "");
+}
+
+CLI::Validator Word(const std::vector<std::pair<std::string, int>>& words)
+{
+  std::string required;
+  std::string description;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    required += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i].first;
+    description += (i == 0 ? "{" : ",") + words[i].first;
+  }
+  return CLI::Validator(
+    [=](std::string& text)
+    {
+      const auto found = std::find_if(
+        words.begin(), words.end(), [&](const auto& word) { return word.first == text; });
+      if (found == words.end())
+      {
+        return Refusal(required, text);
+      }
+      text = std::to_string(found->second);
+      return std::string();
+    },
+    description + "}");
 }
 }

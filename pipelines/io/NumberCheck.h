@@ -1,13 +1,17 @@
 #ifndef NumberCheck_h
 #define NumberCheck_h
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace CLI
 {
 class Validator;
 }
 
 /**
- * Checks on the numbers of options. A message requests what is right and quotes the value; CLI11
+ * Checks on the values of options. A message requests what is right and quotes the value; CLI11
  * puts the name of the option before it.
  */
 namespace NumberCheck
@@ -23,6 +27,9 @@ CLI::Validator NotNegative();
  * written out.
  */
 CLI::Validator Whole(int minimum, int maximum);
+
+/** Checks for one of some words, for CLI::Option::transform: it is replaced by its number. */
+CLI::Validator Word(const std::vector<std::pair<std::string, int>>& words);
 }
 
 #endif

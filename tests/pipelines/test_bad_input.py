@@ -48,7 +48,7 @@ class Domains(ProgramTest):
         self.refuse_domain("branch.vtp", "branches")
 
     def test_self_crossing_loop(self):
-        self.refuse_loop([(0.0, 0.0), (4.0, 4.0), (4.0, 0.0), (0.0, 5.0)], "crosses or touches")
+        self.refuse_loop([(0.0, 0.0), (4.0, 4.0), (4.0, 0.0), (0.0, 5.0)], "crosses or touches itself near (2.222, 2.222)")
 
     def test_loop_without_area(self):
         self.refuse_loop([(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)])
@@ -194,6 +194,7 @@ class Usage(ProgramTest):
         self.refuse_solve("builtin:disk", "--colour", says=["--colour"])
         self.refuse_solve("builtin:disk", "more.vtp", says=["more.vtp"])
         self.refuse_solve("builtin:disk", "--method", "magic", says=["magic"])
+        self.refuse("quads", "builtin:disk", "-o", "a.vtu", "--merge", "all", says=["give none, clean or coarse instead of 'all'"])
 
     def test_missing_arguments(self):
         for command in ("domain", "drill", "solve"):

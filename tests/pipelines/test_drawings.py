@@ -128,7 +128,7 @@ class Drawings(ProgramTest):
         self.assertGreater(areas[2], areas[3])
         self.refuse("check", "plates.dxf", "--part", "4", says=["no part 4", "3 parts"])
         self.refuse("check", "plates.dxf", "--part", "nowhere", says=["No part of the domain has a side 'nowhere'"])
-        output = self.succeed("check", "plates.dxf", "--drawing-layer", "pin", "--json", "-")
+        output = self.succeed("corners", "plates.dxf", "--drawing-layer", "pin", "--json", "-")
         self.assertEqual(len(json.loads(output)["corners"]), 3)
         self.refuse("check", "plates.dxf", "--drawing-layer", "cut", says=["no curves on the layer 'cut'", "'pin'"])
         self.refuse("check", "builtin:disk", "--drawing-layer", "cut", says=["is no drawing"])

@@ -67,7 +67,7 @@ class Foam(ProgramTest):
         self.assertEqual((self.folder / "view.foam").read_text(), "")
 
     def test_sides_with_layers_are_walls_and_other_types_are_given(self):
-        self.quads("plate.vtp", "a/", "--layers", "hole:5e-3", "--patch-type", "top:symmetry")
+        self.succeed("quads", "plate.vtp", "-o", "a/", "--quads", "1000", "--layers", "hole:5e-3", "--patch-type", "top:symmetry")
         kinds = {name: kind for name, (kind, _) in read_patches(self.folder / "a").items()}
         self.assertEqual((kinds["hole"], kinds["top"], kinds["bottom"]), ("wall", "symmetry", "patch"))
         self.quads("plate.vtp", "b/", "--extrude", "1,2", "--patch-type", "hole:wall")

@@ -89,6 +89,7 @@ class Layers(ProgramTest):
                 (("--layers", "wall:1e-3,1.2,3,4"), "more than three numbers"),
                 (("--layers", "wall:1e-3,1.2,2.5"), "number of rows '2.5' of side 'wall' is not valid"),
                 (("--layers", "wall:0"), "first height of 0"),
+                (("--layers", "wall:1e-30"), "below the digits of coordinates; give at least"),
                 (("--layers", "wall:nan"), "'nan' of side 'wall' is not valid"),
                 (("--layers", "wall:1e-3,1"), "growth of 1; give a number above 1"),
                 (("--layers", "wall:0.5"), "is not below the height"),

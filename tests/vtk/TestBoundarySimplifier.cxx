@@ -4,7 +4,9 @@
 #include "vtkPlanarDomainSource.h"
 #include "vtkSingularitySource.h"
 
+#include "vtkCell.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -14,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +25,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -85,6 +90,75 @@ TEST(BoundarySimplifier, ThinsInThePlaneOfTheDomainAndKeepsArrays)
     farthest = std::max(farthest, vtkMath::Distance2BetweenPoints(thin->GetPoint(i), position));
   }
   EXPECT_LE(std::sqrt(farthest), 1.001 * vtkMath::Pi() / Count); // half a segment
+}
+
+/** Adds a closed square as a line or a quad, with a name. */
+template <class DataSet>
+void AddSquare(double x, double size, int type, const char* name, DataSet* data)
+{
+  std::vector<vtkIdType> ids;
+  for (const auto& [dx, dy] : { std::pair(0.0, 0.0), { size, 0.0 }, { size, size }, { 0.0, size } })
+  {
+    ids.push_back(data->GetPoints()->InsertNextPoint(x + dx, x + dy, 0.0));
+  }
+  if (type == VTK_POLY_LINE)
+  {
+    ids.push_back(ids.front());
+  }
+  data->InsertNextCell(type, static_cast<int>(ids.size()), ids.data());
+  vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("Side"))
+    ->InsertNextValue(name);
+}
+
+/** Expects the cells and the place of each part of two squares, in data sets of their type. */
+template <class DataSet>
+void ExpectParts(int type)
+{
+  SCOPED_TRACE(type);
+  vtkNew<DataSet> data;
+  const vtkNew<vtkPoints> points;
+  data->SetPoints(points);
+  data->AllocateEstimate(8, 5);
+  const vtkNew<vtkStringArray> sides;
+  sides->SetName("Side");
+  data->GetCellData()->AddArray(sides);
+  AddSquare(10.0, 1.0, type, "small", data.Get());
+  AddSquare(0.0, 4.0, type, "large", data.Get());
+  if (type == VTK_POLY_LINE)
+  {
+    AddSquare(1.0, 1.0, type, "hole", data.Get());
+  }
+  const vtkIdType cells = type == VTK_POLY_LINE ? 2 : 1;
+  const vtkNew<vtkBoundarySimplifier> filter;
+  filter->SetInputData(data);
+  FilterChecks::CaptureError(filter, { "2 parts", "--part" });
+  for (const char* part : { "largest", "1", "large", "2", "small" })
+  {
+    SCOPED_TRACE(part);
+    filter->SetPart(part);
+    FilterChecks::UpdateWithoutError(filter);
+    auto* output = DataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    ASSERT_NE(output, nullptr);
+    const bool isSmall = part[0] == '2' || part[0] == 's';
+    ASSERT_EQ(output->GetNumberOfCells(), isSmall ? 1 : cells);
+    EXPECT_EQ(output->GetCell(0)->GetBounds()[0], isSmall ? 10.0 : 0.0);
+    EXPECT_EQ(
+      vtkStringArray::SafeDownCast(output->GetCellData()->GetAbstractArray("Side"))->GetValue(0),
+      isSmall ? "small" : "large");
+  }
+  filter->SetPart("3");
+  FilterChecks::CaptureError(filter, { "no part 3", "2 parts" });
+  filter->SetPart("other");
+  FilterChecks::CaptureError(filter, { "No part of the domain has a side 'other'" });
+  EXPECT_EQ(data->GetNumberOfCells(), cells + 1) << "the input stays as it is";
+}
+
+TEST(BoundarySimplifier, ChoosesAPart)
+{
+  ExpectParts<vtkPolyData>(VTK_POLY_LINE);
+  ExpectParts<vtkPolyData>(VTK_QUAD);
+  ExpectParts<vtkUnstructuredGrid>(VTK_POLY_LINE);
+  ExpectParts<vtkUnstructuredGrid>(VTK_QUAD);
 }
 
 TEST(BoundarySimplifier, SupportsGridsAndFixedPoints)

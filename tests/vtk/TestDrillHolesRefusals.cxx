@@ -123,7 +123,7 @@ TEST_F(DrillHolesRefusals, IslandInTheIsland)
 {
   this->SetCurves({ Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 2.0, 2.0 }, { 3.0, 3.0 }),
     Rectangle({ 2.4, 2.4 }, { 2.6, 2.6 }) });
-  this->ExpectError({ "not connected" });
+  this->ExpectError({ "2 parts" });
 }
 
 TEST_F(DrillHolesRefusals, LoopWithoutArea)

@@ -273,9 +273,11 @@ private:
 };
 }
 
-void RequireLayers(
-  const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides)
+void RequireLayers(const std::vector<LayerPrescription>& layers,
+  const std::vector<std::string>& sides, double extent)
 {
+  // Of heights: coordinates have 16 digits, and four are enough for the shape of a quad.
+  constexpr double LeastPart = 1e-12;
   for (std::size_t i = 0; i < layers.size(); ++i)
   {
     const LayerPrescription& layer = layers[i];
@@ -284,6 +286,12 @@ void RequireLayers(
     {
       throw Error(name + " has a first height of " + FormatNumber(layer.first, 2) +
         "; give a positive length.");
+    }
+    if (layer.first < LeastPart * extent)
+    {
+      throw Error(name + " has a first height of " + FormatNumber(layer.first, 2) +
+        ", below the digits of coordinates; give at least " + FormatNumber(LeastPart * extent, 2) +
+        ".");
     }
     if (!(layer.growth > 1.0 && layer.growth <= 3.0))
     {
@@ -309,7 +317,7 @@ void RequireLayers(
 std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,
   const std::vector<LayerPrescription>& prescriptions, QuadResult& quads)
 {
-  RequireLayers(prescriptions, quads.mesh.sideNames);
+  RequireLayers(prescriptions, quads.mesh.sideNames, domain.Diagonal());
   LayeredMesh layered;
   layered.prescriptions = prescriptions;
   for (const std::string& name : quads.mesh.sideNames)

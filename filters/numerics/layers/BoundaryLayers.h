@@ -5,9 +5,10 @@
 
 namespace crossfield
 {
-/// Throws Error if a prescription has impossible numbers, or is for none of the sides.
-void RequireLayers(
-  const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides);
+/// Throws Error if a prescription has impossible numbers, heights that coordinates of a domain of this extent cannot
+/// have, or is for none of the sides.
+void RequireLayers(const std::vector<LayerPrescription>& layers,
+  const std::vector<std::string>& sides, double extent);
 
 /// Divides the bands of quads beside sides of a mesh into rows whose heights grow from the wall
 /// (docs/method.md §16). Points outside the bands, valences and the irregular points stay as they

@@ -16,6 +16,30 @@ namespace crossfield::mesher
     "; separate or remove the segments that meet there.");
 }
 
+/// Returns the place where a segment crosses a segment that was inserted, or else its start.
+inline Point CrossingOf(const Triangulation& triangulation, const Point& from, const Point& to)
+{
+  for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
+       ++edge)
+  {
+    if (triangulation.is_constrained(*edge))
+    {
+      const auto end = [&](int turn)
+      { return FromCgal(edge->first->vertex((edge->second + turn) % 3)->point()); };
+      const Point along = to - from;
+      const Point other = end(2) - end(1);
+      const double turn = Cross(along, other);
+      const double part = Cross(end(1) - from, other) / turn;
+      const double otherPart = Cross(end(1) - from, along) / turn;
+      if (part > 0.0 && part < 1.0 && otherPart > 0.0 && otherPart < 1.0)
+      {
+        return from + part * along;
+      }
+    }
+  }
+  return from;
+}
+
 /// Inserts the segments of all loops. Throws Error if loops cross, overlap or touch.
 inline Triangulation TriangulateLoops(const std::vector<Loop>& loops)
 {
@@ -43,7 +67,7 @@ inline Triangulation TriangulateLoops(const std::vector<Loop>& loops)
       }
       catch (const Triangulation::Intersection_of_constraints_exception&)
       {
-        ThrowTouching(loops[l][i]);
+        ThrowTouching(CrossingOf(triangulation, loops[l][i], loops[l][(i + 1) % loops[l].size()]));
       }
     }
   }

@@ -9,7 +9,7 @@ Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
   const PlanarTopology& topology = this->Potential.GetTopology();
   // 1. The phase, with the constants on inner loops that make its conjugate single-valued.
   Eigen::MatrixXd phases(this->Potential.Rows(), fluxes.cols());
-  constexpr Eigen::Index ColumnsOfPart = 16;
+  constexpr Eigen::Index LeastColumns = 16;
   ForRanges(
     fluxes.cols(),
     [&](int begin, int end)
@@ -20,7 +20,7 @@ Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
           ConformingPhase(this->Potential.GetOperator(), this->Steps, fluxes.col(column)).Get();
       }
     },
-    ColumnsOfPart);
+    LeastColumns);
   Eigen::MatrixXd sources = this->Dirichlet.HarmonicSources(phases);
   const Eigen::MatrixXd& constants = this->Dirichlet.IslandSources();
   if (constants.cols() > 0)

@@ -195,7 +195,8 @@ std::vector<CornerChoice> CompleteCorners(
       }
     }
     // Of the neighbours in space, one has the angle of one end and the other that of its image.
-    if (both.size() == 2 && std::lround((both[0]->angle + both[1]->angle) / (0.5 * Pi)) == 2)
+    if (both.size() == 2 && both[0] != both[1] &&
+      std::lround((both[0]->angle + both[1]->angle) / (0.5 * Pi)) == 2)
     {
       corners.push_back({ both[0]->position, 1 });
       corners.push_back({ both[1]->position, 1 });

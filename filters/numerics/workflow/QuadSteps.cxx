@@ -83,7 +83,7 @@ QuadSteps::QuadSteps(const PlanarDomain& domain, ResolvedRequest request, QuadSe
   , Total(this->Request.quadCount)
   , Seconds(seconds)
 {
-  RequireLayers(this->Request.layers, this->Request.sides.names);
+  RequireLayers(this->Request.layers, this->Request.sides.names, domain.Diagonal());
   if (!this->Request.layers.empty() && this->Request.quadSize == 0.0)
   {
     this->Request.quadCount = CountBeforeLayers(domain, this->Request);

@@ -48,9 +48,13 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
   }
   if (CountExcess(result.quads, request.quadSize, request.quadCount) > 0.0)
   {
+    const bool isPrescribed =
+      !request.prescribed.empty() || request.minimumSize > 0.0 || request.maximumSize > 0.0;
     result.warnings.push_back("No number of quads within 5 % of " +
-      std::to_string(request.quadCount) + " was found for these separatrices; " +
-      std::to_string(result.quads.mesh.quads.size()) + " is the nearest; request another number.");
+      std::to_string(request.quadCount) + " was found for these separatrices" +
+      (isPrescribed ? " and the prescribed numbers and sizes of edges; " : "; ") +
+      std::to_string(result.quads.mesh.quads.size()) + " is the nearest; request another number" +
+      (isPrescribed ? ", or prescribe others." : "."));
   }
   for (const std::string& warning : { DescribeSizes(request, result.quads),
          DescribeArea(result.quads), DescribeWorstQuad(result.quads.mesh, result.quads.quality) })

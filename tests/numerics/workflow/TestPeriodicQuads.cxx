@@ -298,32 +298,35 @@ TEST(PeriodicQuads, AreSymmetricAndPeriodicInBothDirections)
 
 TEST(PeriodicQuads, MatchAroundACommonCorner)
 {
-  Loop sector = { { 0, 0 } }; // the centre of the rotation is on both sides
-  for (int i = 0; i <= 20; ++i)
+  for (const double opening : { Pi / 3.0, Pi / 2.0 })
   {
-    const double angle = 0.4 + Pi / 3.0 * i / 20.0;
-    sector.emplace_back(std::cos(angle), std::sin(angle));
-  }
-  const PlanarDomain domain = MakePlanarDomain({ sector });
-  QuadRequest request;
-  request.quadCount = 200;
-  request.sides = NameSides(domain);
-  std::vector<std::string> straight;
-  for (const SideStart& start : request.sides.starts)
-  {
-    const Point next = start.place; // the arc starts at radius 1 and angle 0.4
-    if ((next - Point(std::cos(0.4), std::sin(0.4))).norm() > 1e-9)
+    Loop sector = { { 0, 0 } }; // the centre of the rotation is on both sides
+    for (int i = 0; i <= 20; ++i)
     {
-      straight.push_back(request.sides.names[Index(start.side)]);
+      const double angle = 0.4 + opening * i / 20.0;
+      sector.emplace_back(std::cos(angle), std::sin(angle));
     }
+    const PlanarDomain domain = MakePlanarDomain({ sector });
+    QuadRequest request;
+    request.quadCount = 200;
+    request.sides = NameSides(domain);
+    std::vector<std::string> straight;
+    for (const SideStart& start : request.sides.starts)
+    {
+      const Point next = start.place; // the arc starts at radius 1 and angle 0.4
+      if ((next - Point(std::cos(0.4), std::sin(0.4))).norm() > 1e-9)
+      {
+        straight.push_back(request.sides.names[Index(start.side)]);
+      }
+    }
+    ASSERT_EQ(straight.size(), 2U);
+    request.sideRequests = { PartnerOf(straight[0], straight[1]) };
+    const QuadWorkflowResult result = MakeQuadMesh(domain, request);
+    const PairedSides& pair = result.quads.mesh.periodic.at(0);
+    EXPECT_NEAR(std::abs(pair.motion.angle), opening, 1e-12);
+    EXPECT_LE(pair.motion.Centre().norm(), 1e-12);
+    EXPECT_LE(LargestMismatch(result.quads.mesh), 1e-12);
   }
-  ASSERT_EQ(straight.size(), 2U);
-  request.sideRequests = { PartnerOf(straight[0], straight[1]) };
-  const QuadWorkflowResult result = MakeQuadMesh(domain, request);
-  const PairedSides& pair = result.quads.mesh.periodic.at(0);
-  EXPECT_NEAR(std::abs(pair.motion.angle), Pi / 3.0, 1e-12);
-  EXPECT_LE(pair.motion.Centre().norm(), 1e-12);
-  EXPECT_LE(LargestMismatch(result.quads.mesh), 1e-12);
 }
 
 TEST(PeriodicQuads, MatchWithFewBlocks)
