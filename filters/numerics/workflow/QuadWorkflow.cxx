@@ -155,9 +155,12 @@ QuadWorkflowResult MakeQuadMesh(
     {
       kept.insert(kept.end(), domain.loops[l].begin(), domain.loops[l].end());
     }
-    const double length = FindSmoothing(domain, kept,
-      [&](const PlanarDomain& smooth)
-      { MakeAttempts(smooth, WithSideSizes(smooth, given), trial); });
+    // Given singularities that have no map after all attempts have none in a domain that is nearly the same.
+    const double length = request.singularities
+      ? 0.0
+      : FindSmoothing(domain, kept,
+          [&](const PlanarDomain& smooth)
+          { MakeAttempts(smooth, WithSideSizes(smooth, given), trial); });
     throw WithSmoothing(*outcome.error, length, request.singularities.has_value());
   }
   QuadWorkflowResult result = std::move(*outcome.value);
