@@ -121,12 +121,7 @@ std::string CheckOptions(const QuadsOptions& options)
   {
     return "--order: quads of order 3 cannot be swept; give order 1 or 2";
   }
-  const char last = options.output.empty() ? ' ' : options.output.back();
-  const std::string foam = ".foam";
-  const bool isCase = last == '/' ||
-    (options.output.size() > foam.size() &&
-      options.output.compare(options.output.size() - foam.size(), foam.size(), foam) == 0);
-  if (!options.patchTypes.empty() && !isCase)
+  if (!options.patchTypes.empty() && !vtkQuadMeshWriter::HasPatchTypes(options.output))
   {
     return "--patch-type: only a case of OpenFOAM has types of patches; give -o NAME/ or NAME.foam";
   }

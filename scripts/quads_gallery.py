@@ -92,7 +92,7 @@ replaces each by two of index 1 or −1, about 1.5 quads apart.
 Sizes are conformal where shapes are good and sizes vary by no more than half of their mean; otherwise conformal, partly uniform or
 uniform, whichever gives the best quads ([method](method.md) §14.8). Nodes stay where the singularities were given, as long as shapes and
 sizes are as good there; otherwise they move. Where this gives no valid quads, for example where singularities in a long strip are so far
-from each other that sizes would differ a million times, the holonomy is repaired, or all singularities move to a minimum of the energy,
+from each other that sizes would differ a million times, the holonomy is repaired, or all singularities move towards a minimum of the energy,
 and a warning says how far. Every move by more than a tenth of a quad is printed, `moves` in the report lists all of them, and
 `--save-singularities` has the positions of the nodes. `--hold` keeps the nodes in place in any case.
 

@@ -82,6 +82,12 @@ bool vtkQuadMeshWriter::CanWrite(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
+bool vtkQuadMeshWriter::HasPatchTypes(const std::string& fileName)
+{
+  return crossfield::MeshFormatOf(fileName) == MeshFormat::Foam;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkQuadMeshWriter::GetEndings()
 {
   return crossfield::MeshEndings();
@@ -130,8 +136,7 @@ void vtkQuadMeshWriter::WriteData()
       }
       if (!this->WriteToOutputString)
       {
-        const bool isCase =
-          crossfield::MeshFormatOf(this->FileName) == crossfield::MeshFormat::Foam;
+        const bool isCase = HasPatchTypes(this->FileName);
         if (isCase)
         {
           crossfield::RequireOwnCase(this->FileName);

@@ -105,6 +105,9 @@ public:
   /** Returns whether the ending of a file is that of a format. */
   static bool CanWrite(const std::string& fileName);
 
+  /** Returns whether the name of a file or folder stands for a case of OpenFOAM, which has types of patches. */
+  static bool HasPatchTypes(const std::string& fileName);
+
   /** Returns the endings of all formats, separated by blanks, and / for the folder of a case. */
   static std::string GetEndings();
 

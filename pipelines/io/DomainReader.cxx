@@ -223,20 +223,23 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, d
   const std::vector<std::string>& layers)
 {
   const std::string argument = NameOfInput(name);
-  if (!layers.empty() && vtkDrawingReader::CanReadFile(argument.c_str()) == 0)
+  const std::string builtin = "builtin:";
+  const bool isBuiltin = argument.compare(0, builtin.size(), builtin) == 0;
+  const bool isFile = vtksys::SystemTools::FileExists(argument, true);
+  if (!layers.empty() &&
+    (isBuiltin || (isFile && vtkDrawingReader::CanReadFile(argument.c_str()) == 0)))
   {
     throw Error(
       "--drawing-layer: the domain '" + argument + "' is no drawing; leave the option out.");
   }
-  const std::string builtin = "builtin:";
-  if (argument.compare(0, builtin.size(), builtin) == 0)
+  if (isBuiltin)
   {
     auto source = vtkSmartPointer<vtkPlanarDomainSource>::New();
     source->SetDomainName(argument.substr(builtin.size()));
     source->SetEdgeLength(edgeLength);
     return source;
   }
-  if (!vtksys::SystemTools::FileExists(argument, true))
+  if (!isFile)
   {
     throw Error("There is no file '" + argument + "'; check the name of the domain.");
   }

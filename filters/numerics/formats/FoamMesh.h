@@ -41,8 +41,7 @@ struct FoamMesh
 };
 
 /// Returns the patches of a mesh without their faces, in the order of sides: of the type that the mesh has for them,
-/// or else `patch`; the ends of one
-/// layer are the patch `frontAndBack` of type `empty` if it was a translation, and `wedge` if it was a
+/// or else `patch`; the ends of one layer are the patch `frontAndBack` of type `empty` if it was a translation, and `wedge` if it was a
 /// revolution; periodic sides are `cyclic`. `patchOf` receives the patch of each side. Names are words of OpenFOAM (FormatNames.h).
 std::vector<FoamPatch> FoamPatches(const SolverMesh& mesh, std::vector<int>& patchOf);
 

@@ -102,7 +102,7 @@ AttemptReport ReportOf(const ResolvedRequest& request, const QuadAttemptRecord& 
     ? ", " + FormatShort(attempt.layerDistance) + " times as far from layers"
     : "";
   what += attempt.motion == SingularityMotion::RepairedHolonomy ? ", with the holonomy repaired"
-    : attempt.motion == SingularityMotion::MinimumEnergy ? ", moved to a minimum of the energy"
+    : attempt.motion == SingularityMotion::MinimumEnergy ? ", moved towards a minimum of the energy"
                                                          : "";
   what += attempt.refinement > 1.0 ? ", on a finer triangle mesh" : "";
   what += !attempt.mergesBlocks ? ", without merging blocks" : "";

@@ -14,7 +14,7 @@ enum class SingularityMotion
 {
   None,
   RepairedHolonomy, ///< So that grid lines close up around inner loops (HolonomyRepair.h).
-  MinimumEnergy     ///< Given ones only: to a minimum of the renormalised energy.
+  MinimumEnergy     ///< Given ones only: towards a minimum of the renormalised energy.
 };
 
 /// A way to make the quads of a request.

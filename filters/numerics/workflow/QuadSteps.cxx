@@ -177,7 +177,7 @@ void QuadSteps::MoveToMinimumEnergy(const Progress& progress)
   OptimizerResult minimum =
     MinimiseEnergy(this->Domain, this->Request, this->BeforeRepair, progress);
   this->Result.singularities = std::move(minimum.configuration);
-  this->Motion = "to a minimum of the energy";
+  this->Motion = "towards a minimum of the energy"; // the run may end before it
 }
 
 void QuadSteps::DoNotMerge()

@@ -19,7 +19,7 @@ public:
   /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or there
   /// is nothing to repair.
   void RepairHolonomy(const Progress& progress);
-  /// Moves given singularities to a minimum of the renormalised energy. Throws Error as
+  /// Moves given singularities towards a minimum of the renormalised energy. Throws Error as
   /// MinimiseEnergy does.
   void MoveToMinimumEnergy(const Progress& progress);
   /// Meshes with edges divided by `refinement` (MeshThroughPoints), solves for the map, traces the

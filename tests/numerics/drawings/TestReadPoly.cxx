@@ -3,11 +3,10 @@
 #include "DrawingFormats.h"
 #include "DrawingLayers.h"
 #include "DrawingOutline.h"
+#include "MakePlanarDomain.h"
 #include "ReadOff.h"
 #include "ReadPoly.h"
 #include "Support.h"
-
-#include <algorithm>
 
 namespace crossfield::test
 {
@@ -21,13 +20,12 @@ const std::string Plate = "# a plate with a hole\n"
 
 double AreaOf(const Drawing& drawing)
 {
-  double area = 0.0;
+  std::vector<Loop> loops;
   for (const OutlineLoop& loop : TraceOutline(drawing, 0.0, 0.1).loops)
   {
-    const double enclosed = std::abs(SignedArea(loop.points));
-    area += std::max(enclosed, 6.0) == enclosed ? enclosed : -enclosed;
+    loops.push_back(loop.points);
   }
-  return area;
+  return MakePlanarDomain(loops).Area();
 }
 
 TEST(ReadPoly, PointsSegmentsMarkersAndHoles)
