@@ -85,6 +85,8 @@ public:
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     this->PairNodes(result.mesh);
+    result.blocks = FindBlocks(result.mesh);
+    result.quality = MeasureQuads(result.mesh, result.size);
     result.layoutSeconds += stopwatch.Lap();
   }
 
@@ -98,12 +100,6 @@ public:
         [](const SidePrescription& one) { return one.isGraded; });
     const std::optional<double> sizePart =
       isConformal ? std::nullopt : std::optional<double>(this->Options.sizePart);
-    result.blocks = FindBlocks(result.mesh); // depends on the connectivity alone
-    if (!this->Options.smooth)
-    {
-      result.quality = MeasureQuads(result.mesh, result.size);
-      return;
-    }
     result.smoothing =
       SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, this->Options.hold, progress);
     MakeSymmetricAndPeriodic(result.mesh, this->Curves, this->Domain, result.smoothing);
@@ -230,7 +226,11 @@ private:
   EdgeCounts FindSymmetric(EdgeCounts found) const
   {
     // Up to 4.8 % more or less, about CountTolerance in the number of quads and the same beyond it.
-    constexpr int Steps = 12;
+    constexpr int MaximumSteps = 12;
+    // With more arcs, each size takes up to a second.
+    constexpr std::size_t ArcsTimesSteps = 2500;
+    const int steps = static_cast<int>(std::min<std::size_t>(
+      MaximumSteps, ArcsTimesSteps / std::max<std::size_t>(1, this->Lengths.size())));
     constexpr double Step = 0.004;
     // Between the targets of two arcs of a strip with equal weights, all counts are equally good, and
     // the errors of the triangles decide. Longer arcs have the preference in half of the trials: 10 %
@@ -258,7 +258,7 @@ private:
       CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
     const double size = found.size;
     std::vector<int> tried = found.counts;
-    for (int step = 0; step <= 2 * Steps && most < possible; ++step)
+    for (int step = 0; step <= 2 * steps && most < possible; ++step)
     {
       const double factor = 1.0 + (step % 2 == 0 ? -Step : Step) * ((step + 1) / 2);
       for (const bool prefersLong : { true, false })
@@ -389,7 +389,8 @@ private:
 };
 }
 
-QuadResult MakeQuads(const LayoutSet& layouts, const QuadOptions& options, const Progress& progress)
+QuadResult MakeDraftQuads(
+  const LayoutSet& layouts, const QuadOptions& options, const Progress& progress)
 {
   if (!(options.quadSize >= 0.0) || !std::isfinite(options.quadSize) ||
     (options.quadSize == 0.0 && options.quadCount < 1))
@@ -404,18 +405,35 @@ QuadResult MakeQuads(const LayoutSet& layouts, const QuadOptions& options, const
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
   SplitAtPairs(map, curves, options.sides, layouts.pairs, result.tMesh);
   Mesher mesher(map, layouts.pairs, curves, options, result);
-  mesher.ComputeCounts(progress.Part(0.0, 0.3));
+  mesher.ComputeCounts(progress);
   mesher.Build(result);
   RequireSuitableCounts(result.mesh, mesher.DomainArea(), options.sides, options.prescribed);
-  progress.Report(0.4);
-  const double smoothed = options.coarse ? 0.7 : 1.0;
-  mesher.Smooth(result, progress.Part(0.4, smoothed));
   result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
+  return result;
+}
+
+void SmoothDraftQuads(
+  const LayoutSet& layouts, const QuadOptions& options, QuadResult& quads, const Progress& progress)
+{
+  const SeamlessMap& map = layouts.Single().map;
+  const MeshBoundary curves(*RequirePlanar(map.topology), options.curves);
+  Mesher mesher(map, layouts.pairs, curves, options, quads);
+  const double smoothed = options.coarse ? 0.5 : 1.0;
+  mesher.Smooth(quads, progress.Part(0.0, smoothed));
   if (options.coarse)
   {
     mesher.Coarsen(progress.Part(smoothed, 1.0));
   }
   progress.Report(1.0);
+}
+
+QuadResult MakeQuads(const LayoutSet& layouts, const QuadOptions& options, const Progress& progress)
+{
+  QuadResult result = MakeDraftQuads(layouts, options, progress.Part(0.0, 0.4));
+  if (options.smooth)
+  {
+    SmoothDraftQuads(layouts, options, result, progress.Part(0.4, 1.0));
+  }
   return result;
 }
 }

@@ -31,9 +31,19 @@ struct QuadOptions
   bool coarse = false;
 };
 
-/// Makes a quad mesh of layouts (docs/method.md §14): edge counts, quads, smoothing. Nodes on paired
-/// sides match. Throws Error if there is more than one region, if the size or count is not positive,
-/// if more quads would be built than fit into memory, and as Quantise and BuildQuads do.
+/// Makes quads of layouts whose nodes are at their places in the map (docs/method.md §14): edge counts and
+/// quads. Nodes on paired sides match. Throws Error if there is more than one region, if the size or count
+/// is not positive, if more quads would be built than fit into memory, and as Quantise and BuildQuads do.
+QuadResult MakeDraftQuads(
+  const LayoutSet& layouts, const QuadOptions& options, const Progress& progress = {});
+
+/// Smooths quads of MakeDraftQuads, and uses fewer blocks if QuadOptions::coarse is set. The options may
+/// have another sizePart and hold than those of the draft.
+void SmoothDraftQuads(const LayoutSet& layouts, const QuadOptions& options, QuadResult& quads,
+  const Progress& progress = {});
+
+/// Makes draft quads and smooths them unless QuadOptions::smooth is false. Throws Error as MakeDraftQuads
+/// does.
 QuadResult MakeQuads(
   const LayoutSet& layouts, const QuadOptions& options, const Progress& progress = {});
 }

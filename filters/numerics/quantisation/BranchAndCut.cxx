@@ -52,6 +52,8 @@ public:
 
   EdgeCounts Run(int maximumNodes)
   {
+    constexpr int MaximumRounds = 20; // later ones hardly raise the bound
+    this->RoundsOfCuts = std::min(maximumNodes, MaximumRounds);
     bool isOpen = this->SolveRoot();
     while (isOpen && this->Best.nodes < maximumNodes && !this->IsFinished())
     {
@@ -110,9 +112,7 @@ private:
     this->Backtracks = 0;
     this->Present = {};
     this->Program.SetNodeBounds({});
-    // Later rounds of cuts hardly raise the bound.
-    constexpr int MaximumRounds = 20;
-    for (int round = 0; round <= MaximumRounds; ++round)
+    for (int round = 0; round <= this->RoundsOfCuts; ++round)
     {
       if (!this->SolveSeparated())
       {
@@ -120,7 +120,7 @@ private:
       }
       this->RootBound = std::max(this->RootBound, this->Program.GetCost());
       this->Program.TightenBounds();
-      if (this->IsIntegral() || !this->Program.AddCuts())
+      if (this->IsIntegral() || round == this->RoundsOfCuts || !this->Program.AddCuts())
       {
         break;
       }
@@ -298,6 +298,7 @@ private:
   EdgeCounts Best;
   double RootBound = -std::numeric_limits<double>::infinity();
   std::size_t RootRows = 0;
+  int RoundsOfCuts = 0;
   bool IsUnsolved = false;
   bool IsFirstWanted = false;
   Node Present;

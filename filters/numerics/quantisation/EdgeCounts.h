@@ -20,7 +20,7 @@ struct EdgeCounts
   std::vector<int> counts; ///< n_a per arc.
   double cost = 0.0;       ///< Σ w_a |n_a − ℓ_a|.
   double bound = 0.0;      ///< Proved lower bound of the cost.
-  bool optimal = false;    ///< The cost equals the bound, up to rounding.
+  bool optimal = false;    ///< IsProved at the end of a search.
   int nodes = 0;           ///< Nodes of the search: flows, or relaxations of branch and cut.
   double size = 0.0;       ///< Target edge length in the map that the problem was made for, if any.
   double seconds = 0.0;
@@ -30,6 +30,9 @@ struct EdgeCounts
   {
     return this->optimal ? 0.0 : std::max(0.0, (this->cost - this->bound) / (1.0 + this->bound));
   }
+
+  /// Returns whether the cost equals the bound, up to rounding.
+  bool IsProved() const { return this->cost <= this->bound + CostRounding(this->bound); }
 
   /// Returns the number of arcs without edges.
   int ZeroArcs() const

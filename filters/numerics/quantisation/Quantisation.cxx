@@ -67,15 +67,16 @@ SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort)
   // A thorough round takes a second or two. Nodes are limited instead of seconds, so that the
   // result is the same on every machine.
   constexpr int ArcsTimesNodes = 250000;
-  constexpr int MinimumNodes = 300;
+  constexpr int MinimumNodes = 60;
   constexpr int QuickFraction = 20;
   const int nodes = std::max(MinimumNodes, ArcsTimesNodes / static_cast<int>(problem.Count()));
   return effort == SearchEffort::Quick ? SearchLimits{ 100, nodes / QuickFraction, 1 }
                                        : SearchLimits{ 200, nodes, 3 };
 }
 
-/// Searches windows, the full problem, and the arcs in which the two differ, in rounds until
-/// nothing improves the counts.
+/// Solves the relaxation with separation rows, which is integral in most problems. Otherwise searches
+/// windows, the full problem, and the arcs in which the two differ, in rounds until nothing improves the
+/// counts.
 class RoundSearch
 {
 public:
@@ -93,6 +94,12 @@ public:
   void Run(EdgeCounts& best, const Progress& progress)
   {
     const double flowBound = best.bound;
+    std::vector<double> relaxed;
+    this->SearchAll(0, best, relaxed);
+    if (best.IsProved())
+    {
+      return;
+    }
     for (int round = 0; round < this->Limits.rounds; ++round)
     {
       const Progress part = progress.Part(
@@ -103,23 +110,27 @@ public:
       {
         best.bound = flowBound;
       }
-      const bool isProved = best.cost <= best.bound + CostRounding(best.bound);
-      if (isProved && best.cost >= before)
+      if (best.IsProved() && best.cost >= before)
       {
         return;
       }
       part.Report(0.5);
-      std::vector<double> relaxed;
-      EdgeCounts full = SolveSubproblem(
-        this->Mesh, this->Problem, this->AllArcs, this->Limits.nodes, best, this->Rows, &relaxed);
-      best.bound = std::max(best.bound, full.bound);
-      best.nodes += full.nodes;
-      ReplaceIfCheaper(best, std::move(full));
+      this->SearchAll(this->Limits.nodes, best, relaxed);
       this->SearchDifferences(relaxed, best);
     }
   }
 
 private:
+  /// Searches with all arcs free.
+  void SearchAll(int maximumNodes, EdgeCounts& best, std::vector<double>& relaxed)
+  {
+    EdgeCounts full = SolveSubproblem(
+      this->Mesh, this->Problem, this->AllArcs, maximumNodes, best, this->Rows, &relaxed);
+    best.bound = std::max(best.bound, full.bound);
+    best.nodes += full.nodes;
+    ReplaceIfCheaper(best, std::move(full));
+  }
+
   /// Starts without the known rows, so that counts that violate them are found too.
   void SearchWindows(EdgeCounts& best, const Progress& progress)
   {
@@ -192,11 +203,11 @@ EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, Searc
     }
     best.cost = flow.Cost(best.counts);
   }
-  if (best.cost > best.bound + CostRounding(best.bound))
+  if (!best.IsProved())
   {
     RoundSearch(mesh, flow, LimitsFor(flow, effort)).Run(best, progress);
   }
-  best.optimal = best.cost <= best.bound + CostRounding(best.bound);
+  best.optimal = best.IsProved();
   best.seconds = stopwatch.Lap();
   return best;
 }

@@ -82,13 +82,18 @@ std::vector<std::string> ChooseSizing(
     return {};
   }
   const std::size_t quads = meshed.quads.mesh.quads.size();
-  ProgressOfParts shared(progress);
+  // All steps have the same edge counts.
+  const QuadResult draft = MakeDraftQuads(meshed.layouts, optionsFor(0), progress.Part(0.0, 0.4));
+  const Progress smoothing = progress.Part(0.4, 1.0);
+  ProgressOfParts shared(smoothing);
   AcceptFirst(
     steps.size(), CandidateBatch(quads),
     [&](std::size_t i)
     {
       const double done = static_cast<double>(i) / static_cast<double>(steps.size());
-      return MakeQuads(meshed.layouts, optionsFor(i), shared.Get().Part(done, 1.0));
+      QuadResult uniform = draft;
+      SmoothDraftQuads(meshed.layouts, optionsFor(i), uniform, shared.Get().Part(done, 1.0));
+      return uniform;
     },
     [&](std::size_t i, QuadResult uniform)
     {
