@@ -84,18 +84,22 @@ std::vector<std::string> DescribeCrowdedNodes(
   return sentences;
 }
 
-std::optional<SmallerSize> FindSmallerSize(
+SizeTrials TrySmallerSizes(
   const QuadResult& quads, const std::function<QuadResult(double size)>& mesh)
 {
-  constexpr double MaximumQuads = 50000.0; // about two seconds
-  constexpr double Valid = 0.01;           // a smaller scaled Jacobian may be rounding
+  constexpr double MaximumQuads = 50000.0;  // about two seconds
+  constexpr std::size_t MaximumArcs = 2000; // edge counts of more take a minute
+  constexpr double Valid = 0.01;            // a smaller scaled Jacobian may be rounding
+  SizeTrials trials;
   for (const double factor : { 2.0, 4.0 })
   {
-    if (factor * factor * static_cast<double>(quads.mesh.quads.size()) > MaximumQuads)
+    if (factor * factor * static_cast<double>(quads.mesh.quads.size()) > MaximumQuads ||
+      quads.tMesh.arcs.size() > MaximumArcs)
     {
       break;
     }
     const double size = std::stod(FormatShort(quads.size / factor)); // as it is printed
+    ++trials.tried;
     const Outcome<QuadResult> smaller = Try([&] { return mesh(size); });
     if (!smaller.value)
     {
@@ -103,10 +107,11 @@ std::optional<SmallerSize> FindSmallerSize(
     }
     if (smaller.value->quality.jacobian.min > Valid)
     {
-      return SmallerSize{ size, smaller.value->mesh.quads.size() };
+      trials.valid = SmallerSize{ size, smaller.value->mesh.quads.size() };
+      break;
     }
   }
-  return std::nullopt;
+  return trials;
 }
 
 double FindSmoothing(const PlanarDomain& domain, const std::vector<Point>& kept,
@@ -138,21 +143,21 @@ std::string CountInverted(const QuadQuality& quality)
 }
 
 std::string DescribeInverted(
-  const QuadQuality& quality, const std::optional<SmallerSize>& smaller, bool singularitiesAreGiven)
+  const QuadQuality& quality, const SizeTrials& smaller, bool singularitiesAreGiven)
 {
   std::ostringstream text;
   text << CountInverted(quality);
-  if (smaller)
+  if (smaller.valid)
   {
     text << "; use a smaller size"
-         << (smaller->keepsSingularities
+         << (smaller.valid->keepsSingularities
                 ? " and the same singularities (--save-singularities, then -s): with "
                 : ": with ")
-         << smaller->size << ", " << smaller->quads << " quads, none is inverted.";
+         << smaller.valid->size << ", " << smaller.valid->quads << " quads, none is inverted.";
   }
   else
   {
-    text << ", and smaller sizes do not help"
+    text << (smaller.tried > 0 ? ", and smaller sizes do not help" : "")
          << (singularitiesAreGiven ? "; choose other positions for the singularities nearby."
                                    : ".");
   }

@@ -23,6 +23,13 @@ struct SmallerSize
     false; ///< With the chosen singularities; otherwise they are chosen again.
 };
 
+/// What smaller sizes led to.
+struct SizeTrials
+{
+  int tried = 0;                    ///< Number of sizes tried.
+  std::optional<SmallerSize> valid; ///< The last one, if no quads are inverted with it.
+};
+
 /// Throws Error if an interior singularity has a quarter index above 2, for which there is no node.
 void RequireNodes(const PlanarDomain& domain, const Configuration& singularities);
 
@@ -36,9 +43,10 @@ std::vector<std::string> DescribeFlatNodes(
 std::vector<std::string> DescribeCrowdedNodes(
   const PlanarDomain& domain, const Configuration& singularities);
 
-/// Returns a half or a quarter of the size of quads, rounded to four digits, if no quads are
-/// inverted with it. `mesh` makes the quads of a size.
-std::optional<SmallerSize> FindSmallerSize(
+/// Tries a half and a quarter of the size of quads, rounded to four digits, until no quads are inverted.
+/// Sizes of more than 50,000 quads, and T-meshes of more than 2,000 arcs, are not tried. `mesh` makes the
+/// quads of a size.
+SizeTrials TrySmallerSizes(
   const QuadResult& quads, const std::function<QuadResult(double size)>& mesh);
 
 /// Returns a length for which the domain with a smoothed boundary (SmoothBoundary.h) has quads,
@@ -52,8 +60,8 @@ std::string CountInverted(const QuadQuality& quality);
 
 /// Returns a sentence about inverted quads. The remedy is a size with which there are none, if one
 /// was found, otherwise other positions of given singularities.
-std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller,
-  bool singularitiesAreGiven);
+std::string DescribeInverted(
+  const QuadQuality& quality, const SizeTrials& smaller, bool singularitiesAreGiven);
 
 /// Returns a sentence about very different sizes of quads, which have a standard deviation of more than
 /// their mean, or 1 in their logarithms, and the option that may make them more equal; an empty text for

@@ -332,4 +332,13 @@ QuadWorkflowResult MakeAttempts(
 {
   return Attempts(domain, request).Run(progress);
 }
+
+QuadWorkflowResult MakeFirstAttempt(
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress)
+{
+  QuadSeconds seconds;
+  QuadSteps steps(domain, request, seconds);
+  steps.Place(progress.Part(0.0, 0.1));
+  return steps.MakeQuads(1.0, progress.Part(0.1, 1.0));
+}
 }

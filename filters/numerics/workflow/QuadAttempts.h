@@ -49,4 +49,8 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const Resolve
 /// returns the best of them (MeshGrade.h). Throws Error if none has quads.
 QuadWorkflowResult MakeAttempts(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress);
+
+/// Makes the quads of a request of WithSideSizes by the first attempt alone. Throws Error if it has none.
+QuadWorkflowResult MakeFirstAttempt(
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress);
 }

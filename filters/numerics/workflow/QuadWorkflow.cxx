@@ -166,24 +166,25 @@ QuadWorkflowResult MakeQuadMesh(
   QuadWorkflowResult result = std::move(*outcome.value);
   if (result.quads.quality.inverted > 0 && DescribeFlatNodes(domain, result.singularities).empty())
   {
-    std::optional<SmallerSize> smaller;
+    SizeTrials smaller;
     if (request.sizing != Sizing::Field) // whose sizes are factors
     {
       const bool keeps = IsChoiceSlow(result);
-      smaller = FindSmallerSize(result.quads,
+      smaller = TrySmallerSizes(result.quads,
         [&](double size)
         {
           ResolvedRequest other = request;
           other.quadSize = size;
-          if (keeps)
+          if (!keeps)
           {
-            other.singularities = result.singularities;
+            return MakeAttempts(domain, other, trial).quads;
           }
-          return MakeAttempts(domain, other, trial).quads;
+          other.singularities = result.singularities;
+          return MakeFirstAttempt(domain, other, trial).quads; // others would move them
         });
-      if (smaller)
+      if (smaller.valid)
       {
-        smaller->keepsSingularities = keeps;
+        smaller.valid->keepsSingularities = keeps;
       }
     }
     result.warnings.push_back(

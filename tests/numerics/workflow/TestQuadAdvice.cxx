@@ -156,18 +156,20 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
   QuadQuality quality;
   quality.inverted = 1;
   quality.where = { 0.25, 0.5 };
-  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000 }, true),
+  EXPECT_EQ(DescribeInverted(quality, { 1, SmallerSize{ 0.0125, 4000 } }, true),
     "1 quad is inverted near (0.25, 0.5); use a smaller size: with 0.0125, 4000 quads, "
     "none is inverted.");
-  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000, true }, false),
+  EXPECT_EQ(DescribeInverted(quality, { 1, SmallerSize{ 0.0125, 4000, true } }, false),
     "1 quad is inverted near (0.25, 0.5); use a smaller size and the same singularities "
     "(--save-singularities, then -s): with 0.0125, 4000 quads, none is inverted.");
   quality.inverted = 2;
-  EXPECT_EQ(DescribeInverted(quality, {}, true),
+  EXPECT_EQ(DescribeInverted(quality, { 2, {} }, true),
     "2 quads are inverted, the worst near (0.25, 0.5), and smaller sizes do not help; choose other "
     "positions for the singularities nearby.");
-  EXPECT_EQ(DescribeInverted(quality, {}, false),
+  EXPECT_EQ(DescribeInverted(quality, { 2, {} }, false),
     "2 quads are inverted, the worst near (0.25, 0.5), and smaller sizes do not help.");
+  EXPECT_EQ(DescribeInverted(quality, { 0, {} }, false),
+    "2 quads are inverted, the worst near (0.25, 0.5).");
   // The quads of each size, as long as some are inverted.
   QuadResult quads;
   quads.size = 0.1;
@@ -181,10 +183,14 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
       return result;
     };
   };
-  EXPECT_EQ(FindSmallerSize(quads, withMinimum(0.5))->size, 0.025);
-  EXPECT_FALSE(FindSmallerSize(quads, withMinimum(0.0)));
-  quads.mesh.quads.resize(20000); // trials would take too long
-  EXPECT_FALSE(FindSmallerSize(quads, withMinimum(0.5)));
+  EXPECT_EQ(TrySmallerSizes(quads, withMinimum(0.5)).valid->size, 0.025);
+  EXPECT_FALSE(TrySmallerSizes(quads, withMinimum(0.0)).valid);
+  EXPECT_EQ(TrySmallerSizes(quads, withMinimum(0.0)).tried, 2);
+  quads.tMesh.arcs.resize(3000); // trials would take too long
+  EXPECT_EQ(TrySmallerSizes(quads, withMinimum(0.5)).tried, 0);
+  quads.tMesh.arcs.clear();
+  quads.mesh.quads.resize(20000);
+  EXPECT_EQ(TrySmallerSizes(quads, withMinimum(0.5)).tried, 0);
 }
 }
 }
