@@ -43,6 +43,15 @@ int ToGlpk(BasisStatus status)
   }
 }
 
+/// Frees what GLPK keeps for a thread when the thread ends.
+struct ThreadEnvironment
+{
+  ThreadEnvironment() = default;
+  ThreadEnvironment(const ThreadEnvironment&) = delete;
+  ThreadEnvironment& operator=(const ThreadEnvironment&) = delete;
+  ~ThreadEnvironment() { glp_free_env(); }
+};
+
 /// GLPK numbers rows and columns from 1, and the variables of a tableau with the rows first.
 class GlpkSolver : public LinearSolver
 {
@@ -50,6 +59,7 @@ public:
   GlpkSolver()
     : Program(glp_create_prob())
   {
+    static thread_local const ThreadEnvironment environment;
     glp_term_out(GLP_OFF); // for this thread: some messages ignore msg_lev
     glp_set_obj_dir(this->Program.get(), GLP_MIN);
     glp_init_smcp(&this->Options);
