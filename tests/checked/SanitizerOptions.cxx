@@ -7,6 +7,7 @@ extern "C"
 {
   const char* __asan_default_options();
   const char* __ubsan_default_options();
+  const char* __lsan_default_options();
   const char* __lsan_default_suppressions();
 
   const char* __asan_default_options()
@@ -18,6 +19,11 @@ extern "C"
   const char* __ubsan_default_options()
   {
     return "print_stacktrace=1:abort_on_error=1";
+  }
+
+  const char* __lsan_default_options()
+  {
+    return "print_suppressions=0"; // tests read what the program prints
   }
 
   const char* __lsan_default_suppressions()

@@ -27,7 +27,10 @@ Drawing ReadOff(std::string_view text, const std::string& file)
   for (int i = 0; i < pointCount; ++i)
   {
     lines.Next();
-    places.col(i) << lines.Number(0), lines.Number(1), lines.Number(2);
+    for (const int axis : { 0, 1, 2 })
+    {
+      places(axis, i) = lines.Number(static_cast<std::size_t>(axis));
+    }
   }
   std::map<std::pair<int, int>, int> faces; // numbers of faces of edges
   for (int face = 0; face < faceCount; ++face)
