@@ -64,7 +64,7 @@ struct SearchLimits
 
 SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort)
 {
-  // A thorough round takes a second or two. Nodes are limited instead of seconds, so that the
+  // A thorough round takes a second or two, and a few with thousands of arcs. Nodes are limited instead of seconds, so that the
   // result is the same on every machine.
   constexpr int ArcsTimesNodes = 250000;
   constexpr int MinimumNodes = 60;
