@@ -64,8 +64,8 @@ struct SearchLimits
 
 SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort)
 {
-  // A thorough round takes a second or two, and a few with thousands of arcs. Nodes are limited instead of seconds, so that the
-  // result is the same on every machine.
+  // A thorough round takes a second or two, and a few with thousands of arcs. Nodes are limited instead
+  // of seconds, so that the result is the same on every machine.
   constexpr int ArcsTimesNodes = 250000;
   constexpr int MinimumNodes = 60;
   constexpr int QuickFraction = 20;
