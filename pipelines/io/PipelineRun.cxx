@@ -30,14 +30,16 @@ public:
   void DisplayErrorText(const char* text) override
   {
     // The executive reports once more that an algorithm failed; a few readers only warn. VTK's
-    // arrays report what they cannot allocate before they throw std::bad_alloc.
-    const bool repetition =
-      std::string(text).find("returned failure for request") != std::string::npos ||
-      std::string(text).find("Unable to allocate") != std::string::npos;
+    // arrays report what they cannot allocate before they throw std::bad_alloc. Names in a file may contain
+    // such words too, but no message of ours begins with them.
+    const std::string sentence = Sentence(text);
+    const bool repetition = (sentence.rfind("Algorithm ", 0) == 0 &&
+                              sentence.find("returned failure for request") != std::string::npos) ||
+      sentence.rfind("Unable to allocate", 0) == 0;
     this->Failed = true;
     if (this->First.empty() && !repetition)
     {
-      this->First = Sentence(text);
+      this->First = sentence;
     }
   }
   void DisplayWarningText(const char* text) override { this->Warnings.push_back(Sentence(text)); }

@@ -104,6 +104,7 @@ class Drawings(ProgramTest):
             "crossing": (plate()[:4] + [circle((0, 1), 0.5)], ""),
             "touching": (plate()[:4] + [circle((0.5, 1), 0.5)], ""),
             "nothing": ([("TEXT", 10, 0, 20, 0, 1, "x")], "1 TEXT"),
+            "words of VTK": ([("A returned failure for request", 10, 0)], "no visible lines"),
             "space": ([("LINE", 10, 0, 20, 0, 30, 0, 11, 1, 21, 0, 31, 1)], "z ranges"),
         }
         for name, (rows, *parts) in cases.items():
