@@ -40,9 +40,10 @@ struct FoamMesh
   std::vector<FoamZone> faceZones; ///< Sides that are inside.
 };
 
-/// Returns the patches of a mesh without their faces, in the order of sides: of the type that the mesh has for them,
-/// or else `patch`; the ends of one layer are the patch `frontAndBack` of type `empty` if it was a translation, and `wedge` if it was a
-/// revolution; periodic sides are `cyclic`. `patchOf` receives the patch of each side. Names are words of OpenFOAM (FormatNames.h).
+/// Returns the patches of a mesh without their faces, in the order of sides: of the type that the mesh
+/// has for them, or else `patch`; the ends of one layer are the patch `frontAndBack` of type `empty` if it
+/// was a translation, and `wedge` if it was a revolution; periodic sides are `cyclic`. `patchOf` receives
+/// the patch of each side. Names are words of OpenFOAM (FormatNames.h).
 std::vector<FoamPatch> FoamPatches(const SolverMesh& mesh, std::vector<int>& patchOf);
 
 /// Returns the faces of a mesh of hexahedra and prisms of order 1, which is oriented (OrientCells). Nodes that a

@@ -86,7 +86,6 @@ public:
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     this->PairNodes(result.mesh);
     result.blocks = FindBlocks(result.mesh);
-    result.quality = MeasureQuads(result.mesh, result.size);
     result.layoutSeconds += stopwatch.Lap();
   }
 
@@ -226,19 +225,16 @@ private:
   EdgeCounts FindSymmetric(EdgeCounts found) const
   {
     // Up to 4.8 % more or less, about CountTolerance in the number of quads and the same beyond it.
-    constexpr int MaximumSteps = 12;
-    // With more arcs, each size takes up to a second.
-    constexpr std::size_t ArcsTimesSteps = 2500;
-    const int steps = static_cast<int>(std::min<std::size_t>(
-      MaximumSteps, ArcsTimesSteps / std::max<std::size_t>(1, this->Lengths.size())));
+    constexpr int Steps = 12;
     constexpr double Step = 0.004;
     // Between the targets of two arcs of a strip with equal weights, all counts are equally good, and
     // the errors of the triangles decide. Longer arcs have the preference in half of the trials: 10 %
     // of the difference of lengths exceeds these errors.
     constexpr double Preference = 0.1;
     constexpr long long MaximumQuads = 50000; // each size takes a mesh
+    constexpr std::size_t MaximumArcs = 1500; // with more, each of the fifty trials takes a second
     if (CountQuads(this->Result.tMesh, found.counts) > MaximumQuads ||
-      FindSymmetries(this->Domain).IsTrivial())
+      this->Lengths.size() > MaximumArcs || FindSymmetries(this->Domain).IsTrivial())
     {
       return found;
     }
@@ -258,7 +254,7 @@ private:
       CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
     const double size = found.size;
     std::vector<int> tried = found.counts;
-    for (int step = 0; step <= 2 * steps && most < possible; ++step)
+    for (int step = 0; step <= 2 * Steps && most < possible; ++step)
     {
       const double factor = 1.0 + (step % 2 == 0 ? -Step : Step) * ((step + 1) / 2);
       for (const bool prefersLong : { true, false })
@@ -433,6 +429,10 @@ QuadResult MakeQuads(const LayoutSet& layouts, const QuadOptions& options, const
   if (options.smooth)
   {
     SmoothDraftQuads(layouts, options, result, progress.Part(0.4, 1.0));
+  }
+  else
+  {
+    result.quality = MeasureQuads(result.mesh, result.size);
   }
   return result;
 }

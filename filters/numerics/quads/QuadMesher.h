@@ -27,18 +27,18 @@ struct QuadOptions
   SidePrescriptions prescribed; ///< Counts, progressions and sizes of sides.
   bool hold = false;            ///< Keeps inner singularities at their positions in smoothing.
   bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
-  /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
+  /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.
   bool coarse = false;
 };
 
-/// Makes quads of layouts whose nodes are at their places in the map (docs/method.md §14): edge counts and
-/// quads. Nodes on paired sides match. Throws Error if there is more than one region, if the size or count
+/// Makes quads of layouts whose nodes are at their places in the map (docs/method.md §14): edge counts,
+/// quads and blocks; the quality is not measured. Nodes on paired sides match. Throws Error if there is more than one region, if the size or count
 /// is not positive, if more quads would be built than fit into memory, and as Quantise and BuildQuads do.
 QuadResult MakeDraftQuads(
   const LayoutSet& layouts, const QuadOptions& options, const Progress& progress = {});
 
-/// Smooths quads of MakeDraftQuads, and uses fewer blocks if QuadOptions::coarse is set. The options may
-/// have another sizePart and hold than those of the draft.
+/// Smooths quads of MakeDraftQuads and measures their quality, and uses fewer blocks if QuadOptions::coarse
+/// is set. The options may have another sizePart and hold than those of the draft.
 void SmoothDraftQuads(const LayoutSet& layouts, const QuadOptions& options, QuadResult& quads,
   const Progress& progress = {});
 

@@ -20,7 +20,7 @@ struct EdgeCounts
   std::vector<int> counts; ///< n_a per arc.
   double cost = 0.0;       ///< Σ w_a |n_a − ℓ_a|.
   double bound = 0.0;      ///< Proved lower bound of the cost.
-  bool optimal = false;    ///< IsProved at the end of a search.
+  bool optimal = false;    ///< Whether the search proved that no counts cost less.
   int nodes = 0;           ///< Nodes of the search: flows, or relaxations of branch and cut.
   double size = 0.0;       ///< Target edge length in the map that the problem was made for, if any.
   double seconds = 0.0;

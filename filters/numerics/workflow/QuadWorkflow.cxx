@@ -155,7 +155,7 @@ QuadWorkflowResult MakeQuadMesh(
     {
       kept.insert(kept.end(), domain.loops[l].begin(), domain.loops[l].end());
     }
-    // Given singularities that have no map after all attempts have none in a domain that is nearly the same.
+    // Not for given singularities, which the attempts have moved already: four more runs take minutes.
     const double length = request.singularities
       ? 0.0
       : FindSmoothing(domain, kept,

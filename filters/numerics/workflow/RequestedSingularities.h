@@ -10,7 +10,8 @@ AutomaticConfiguration ChooseSingularities(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress = {});
 
 /// Moves all of the given singularities towards a minimum of the renormalised energy, with the clearance
-/// for the quads of a request; `converged` says whether they reach it. Throws Error as OptimizeSingularities does.
+/// for the quads of a request; `converged` says whether they reach it. Throws Error as
+/// OptimizeSingularities does.
 OptimizerResult MinimiseEnergy(const PlanarDomain& domain, const ResolvedRequest& request,
   const Configuration& given, const Progress& progress = {});
 
