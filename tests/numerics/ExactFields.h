@@ -10,6 +10,10 @@
 
 namespace crossfield::test
 {
+/// Five singularities of mixed sign and sum 4 in the unit disk, away from the centre.
+inline const Configuration FiveInDisk = { { { 0.31, 0.42 }, 2, 0.0 }, { { -0.52, 0.18 }, 1, 0.0 },
+  { { -0.11, -0.61 }, 1, 0.0 }, { { 0.47, -0.33 }, 1, 0.0 }, { { 0.08, 0.05 }, -1, 0.0 } };
+
 /// Returns whether a singularity is on the unit circle.
 ///
 /// φ and Φ (docs/method.md §11.2) are the imaginary and the real part of Σ k_j (log(z − b_j) +

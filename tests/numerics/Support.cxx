@@ -91,6 +91,17 @@ TriangleMesh Similarity::operator()(const TriangleMesh& mesh) const
   return result;
 }
 
+Eigen::MatrixXd RandomMatrix(Random& random, Eigen::Index rows, Eigen::Index columns)
+{
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.Uniform(-1.0, 1.0); });
+}
+
+bool AnyHas(const std::vector<std::string>& sentences, const std::string& words)
+{
+  return std::any_of(sentences.begin(), sentences.end(),
+    [&words](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+}
+
 Loop RegularPolygon(int count, double radius, const Point& centre)
 {
   Loop loop;

@@ -65,6 +65,12 @@ struct Similarity
   TriangleMesh operator()(const TriangleMesh& mesh) const;
 };
 
+/// Returns a matrix with entries in [−1, 1].
+Eigen::MatrixXd RandomMatrix(Random& random, Eigen::Index rows, Eigen::Index columns);
+
+/// Returns whether any of the sentences has these words.
+bool AnyHas(const std::vector<std::string>& sentences, const std::string& words);
+
 /// Returns a regular polygon, counter-clockwise.
 Loop RegularPolygon(int count, double radius = 1.0, const Point& centre = Point::Zero());
 

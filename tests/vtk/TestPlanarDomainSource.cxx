@@ -17,12 +17,12 @@
 
 namespace
 {
-using Place = std::complex<double>;
-using Loop = std::vector<Place>; // without the repeated first point
+using Complex = std::complex<double>;
+using ComplexLoop = std::vector<Complex>; // without the repeated first point
 
 const double Pi = std::acos(-1.0);
 
-double Area(const Loop& loop)
+double Area(const ComplexLoop& loop)
 {
   double twice = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -32,7 +32,7 @@ double Area(const Loop& loop)
   return 0.5 * twice;
 }
 
-double LongestSegment(const Loop& loop)
+double LongestSegment(const ComplexLoop& loop)
 {
   double longest = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -46,13 +46,13 @@ class PlanarDomainSource : public testing::Test
 {
 public:
   /** Returns the loops of a domain. Expects each to be one closed polyline in z = 0. */
-  std::vector<Loop> Read(const std::string& name)
+  std::vector<ComplexLoop> Read(const std::string& name)
   {
     this->Source->SetDomainName(name);
     FilterChecks::UpdateWithoutError(this->Source);
     vtkPolyData* output = this->Source->GetOutput();
     EXPECT_EQ(output->GetNumberOfCells(), output->GetNumberOfLines());
-    std::vector<Loop> loops;
+    std::vector<ComplexLoop> loops;
     vtkNew<vtkIdList> ids;
     for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
     {
@@ -74,7 +74,7 @@ public:
 };
 
 /** Returns the area of a regular polygon relative to its circle. */
-double PolygonShare(const Loop& loop)
+double PolygonShare(const ComplexLoop& loop)
 {
   const double angle = 2.0 * Pi / static_cast<double>(loop.size());
   return std::sin(angle) / angle;
@@ -108,9 +108,9 @@ TEST_F(PlanarDomainSource, DefaultIsTheUnitDisk)
 TEST_F(PlanarDomainSource, Disk)
 {
   this->Source->SetRadius(3.0);
-  const std::vector<Loop> loops = this->Read("disk");
+  const std::vector<ComplexLoop> loops = this->Read("disk");
   ASSERT_EQ(loops.size(), 1u);
-  for (const Place& place : loops[0])
+  for (const Complex& place : loops[0])
   {
     EXPECT_NEAR(std::abs(place), 3.0, 1e-14);
   }
@@ -122,7 +122,7 @@ TEST_F(PlanarDomainSource, RingHasTheOuterLoopFirst)
 {
   this->Source->SetRadius(2.0);
   this->Source->SetInnerRadius(0.5);
-  const std::vector<Loop> loops = this->Read("ring");
+  const std::vector<ComplexLoop> loops = this->Read("ring");
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_NEAR(Area(loops[0]), 4.0 * Pi * PolygonShare(loops[0]), 1e-12);
   // All loops are counter-clockwise.
@@ -133,9 +133,9 @@ TEST_F(PlanarDomainSource, Ellipse)
 {
   this->Source->SetWidth(4.0);
   this->Source->SetHeight(1.0);
-  const std::vector<Loop> loops = this->Read("ellipse");
+  const std::vector<ComplexLoop> loops = this->Read("ellipse");
   ASSERT_EQ(loops.size(), 1u);
-  for (const Place& place : loops[0])
+  for (const Complex& place : loops[0])
   {
     EXPECT_NEAR(std::hypot(place.real() / 2.0, place.imag() / 0.5), 1.0, 1e-14);
   }
@@ -145,12 +145,12 @@ TEST_F(PlanarDomainSource, Ellipse)
 TEST_F(PlanarDomainSource, QuarterDisk)
 {
   this->Source->SetRadius(2.0);
-  const std::vector<Loop> loops = this->Read("quarter-disk");
+  const std::vector<ComplexLoop> loops = this->Read("quarter-disk");
   ASSERT_EQ(loops.size(), 1u);
-  EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), Place(0.0, 0.0)), 1);
-  EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), Place(2.0, 0.0)), 1);
-  EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), Place(0.0, 2.0)), 1);
-  for (const Place& place : loops[0])
+  EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), Complex(0.0, 0.0)), 1);
+  EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), Complex(2.0, 0.0)), 1);
+  EXPECT_EQ(std::count(loops[0].begin(), loops[0].end(), Complex(0.0, 2.0)), 1);
+  for (const Complex& place : loops[0])
   {
     EXPECT_TRUE(place == 0.0 || std::abs(std::abs(place) - 2.0) < 1e-14);
     EXPECT_GE(std::min(place.real(), place.imag()), 0.0);
@@ -163,11 +163,11 @@ TEST_F(PlanarDomainSource, StraightSidesAreSingleSegments)
   this->Source->SetWidth(3.0);
   this->Source->SetHeight(2.0);
   EXPECT_EQ(this->Read("square"),
-    std::vector<Loop>({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 3.0 }, { 0.0, 3.0 } } }));
+    std::vector<ComplexLoop>({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 3.0 }, { 0.0, 3.0 } } }));
   EXPECT_EQ(this->Read("rectangle"),
-    std::vector<Loop>({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 2.0 }, { 0.0, 2.0 } } }));
+    std::vector<ComplexLoop>({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 2.0 }, { 0.0, 2.0 } } }));
   EXPECT_EQ(this->Read("l-shape"),
-    std::vector<Loop>(
+    std::vector<ComplexLoop>(
       { { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.5 }, { 1.5, 1.5 }, { 1.5, 3.0 }, { 0.0, 3.0 } } }));
 }
 
@@ -175,11 +175,11 @@ TEST_F(PlanarDomainSource, HexagonAndStar)
 {
   this->Source->SetRadius(2.0);
   this->Source->SetInnerRadius(0.5);
-  const std::vector<Loop> hexagon = this->Read("hexagonal");
+  const std::vector<ComplexLoop> hexagon = this->Read("hexagonal");
   ASSERT_EQ(hexagon.size(), 1u);
   ASSERT_EQ(hexagon[0].size(), 6u);
   EXPECT_NEAR(Area(hexagon[0]), 4.0 * 1.5 * std::sqrt(3.0), 1e-13);
-  const std::vector<Loop> star = this->Read("star");
+  const std::vector<ComplexLoop> star = this->Read("star");
   ASSERT_EQ(star.size(), 1u);
   ASSERT_EQ(star[0].size(), 10u);
   for (std::size_t i = 0; i < 10; ++i)
@@ -204,16 +204,16 @@ TEST_F(PlanarDomainSource, AngularDomainsHaveTheirAngles)
   for (const Case& test : cases)
   {
     SCOPED_TRACE(test.name);
-    const std::vector<Loop> loops = this->Read(test.name);
+    const std::vector<ComplexLoop> loops = this->Read(test.name);
     const bool hasHole = std::string(test.name) == "angular-hole";
     ASSERT_EQ(loops.size(), hasHole ? 2u : 1u);
-    const Loop& loop = loops[0];
+    const ComplexLoop& loop = loops[0];
     ASSERT_EQ(loop.size(), test.angles.size());
     std::vector<double> angles;
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      const Place before = loop[(i + loop.size() - 1) % loop.size()] - loop[i];
-      const Place after = loop[(i + 1) % loop.size()] - loop[i];
+      const Complex before = loop[(i + loop.size() - 1) % loop.size()] - loop[i];
+      const Complex after = loop[(i + 1) % loop.size()] - loop[i];
       angles.push_back(std::arg(before / after) * 180.0 / Pi);
     }
     std::sort(angles.begin(), angles.end());
@@ -233,7 +233,7 @@ TEST_F(PlanarDomainSource, EdgeLengthAppliesToCurves)
   for (const char* name : { "disk", "ring", "ellipse", "quarter-disk" })
   {
     this->Source->SetEdgeLength(0.05);
-    for (const Loop& loop : this->Read(name))
+    for (const ComplexLoop& loop : this->Read(name))
     {
       // Straight sides of the quarter disk are longer.
       const double longest =

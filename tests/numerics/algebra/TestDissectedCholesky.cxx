@@ -30,11 +30,6 @@ System RandomLaplacian(Random& random, double meshSize)
   return Laplacian(DrillHoles(RandomSmoothDomain(random), {}, options));
 }
 
-Eigen::MatrixXd RandomMatrix(Random& random, Eigen::Index rows, Eigen::Index columns)
-{
-  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.Uniform(-1.0, 1.0); });
-}
-
 std::vector<int> RandomUnknowns(Random& random, Eigen::Index size, int count, int except)
 {
   std::vector<int> all(static_cast<std::size_t>(size));

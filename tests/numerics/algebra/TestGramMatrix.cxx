@@ -9,11 +9,6 @@ namespace crossfield::test
 {
 namespace
 {
-Eigen::MatrixXd RandomMatrix(Random& random, Eigen::Index rows, Eigen::Index columns)
-{
-  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.Uniform(-1.0, 1.0); });
-}
-
 /// Three blocks of 4, 2 and 3 rows. V has rows with entries in one, two and all three of them.
 struct Known
 {

@@ -40,11 +40,6 @@ System RandomSystem(Random& random, double meshSize)
   return system;
 }
 
-Eigen::MatrixXd RandomMatrix(Random& random, Eigen::Index rows, Eigen::Index columns)
-{
-  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.Uniform(-1.0, 1.0); });
-}
-
 std::vector<int> Natural(Eigen::Index count)
 {
   std::vector<int> order(static_cast<std::size_t>(count));

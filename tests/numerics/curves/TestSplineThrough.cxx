@@ -2,6 +2,7 @@
 
 #include "SplineThrough.h"
 
+#include "CurveChecks.h"
 #include "CurveEvaluator.h"
 #include "Support.h"
 
@@ -13,26 +14,6 @@ namespace crossfield::test
 {
 namespace
 {
-std::vector<Point> PointsOn(const CurveEvaluator& curve, double from, double to, int count)
-{
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i)
-  {
-    points.push_back(curve.At(from + (to - from) * i / (count - 1)));
-  }
-  return points;
-}
-
-double LargestDistance(const CurveEvaluator& curve, const std::vector<Point>& points)
-{
-  double largest = 0.0;
-  for (const Point& point : points)
-  {
-    largest = std::max(largest, (curve.At(curve.Nearest(point)) - point).norm());
-  }
-  return largest;
-}
-
 TEST(SplineThrough, InterpolatesAndConvergesWithOrderFour)
 {
   PlaneCurve circle;

@@ -1,5 +1,6 @@
 // Files of Triangle and OFF: their boundary, names, warnings, and damaged texts.
 
+#include "DrawingChecks.h"
 #include "DrawingFormats.h"
 #include "DrawingLayers.h"
 #include "DrawingOutline.h"
@@ -18,16 +19,6 @@ const std::string Plate = "# a plate with a hole\n"
                           "\n7 1\n"
                           "1 0 1 1\n2 1 2 1\n3 2 3 1\n4 3 0 5\n5 4 5 0\n6 5 6 0\n7 6 4 0\n";
 
-double AreaOf(const Drawing& drawing)
-{
-  std::vector<Loop> loops;
-  for (const OutlineLoop& loop : TraceOutline(drawing, 0.0, 0.1).loops)
-  {
-    loops.push_back(loop.points);
-  }
-  return MakePlanarDomain(loops).Area();
-}
-
 TEST(ReadPoly, PointsSegmentsMarkersAndHoles)
 {
   const Drawing drawing = ReadDrawing(DrawingFormat::Poly, Plate + "1\n1 1.2 1.2\n", "plate.poly");
@@ -36,7 +27,7 @@ TEST(ReadPoly, PointsSegmentsMarkersAndHoles)
   EXPECT_EQ(drawing.pieces[3].name, "5");
   EXPECT_EQ(drawing.pieces[4].name, "");
   EXPECT_TRUE(drawing.warnings.empty());
-  EXPECT_NEAR(AreaOf(drawing), 12.0 - 0.5, 1e-12);
+  EXPECT_NEAR(AreaOf(TraceOutline(drawing, 0.0, 0.1)), 12.0 - 0.5, 1e-12);
   const Drawing other = ReadPoly(Plate + "0\n", "plate.poly");
   ASSERT_EQ(other.warnings.size(), 1U);
   EXPECT_NE(other.warnings[0].find("0 holes and 2 curves"), std::string::npos);
@@ -83,7 +74,7 @@ TEST(DrawingLayers, KeepOnlyThoseThatAreNamed)
   KeepLayers({}, drawing);
   EXPECT_EQ(drawing.pieces.size(), plate.pieces.size());
   KeepLayers({ "1", "5" }, drawing);
-  EXPECT_NEAR(AreaOf(drawing), 12.0, 1e-12);
+  EXPECT_NEAR(AreaOf(TraceOutline(drawing, 0.0, 0.1)), 12.0, 1e-12);
   ASSERT_EQ(drawing.warnings.size(), 1U);
   EXPECT_EQ(drawing.warnings[0], "3 curves on other layers were left out.");
   drawing = plate;

@@ -13,16 +13,9 @@ namespace crossfield::test
 {
 namespace
 {
-TriangleMesh Mesh(const PlanarDomain& domain, double meshSize)
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  return DrillHoles(domain, {}, options);
-}
-
 TriangleMesh Mesh(const std::string& name, double meshSize)
 {
-  return Mesh(Builtin(name, meshSize), meshSize);
+  return DrillMesh(Builtin(name, meshSize), {}, meshSize);
 }
 
 GinzburgLandauField Solve(const TriangleMesh& mesh, double epsilon, GinzburgLandauStart start = {})
@@ -135,7 +128,7 @@ TEST(GinzburgLandau, SingularitiesOfAFlatEllipseAreOnALine)
   {
     ellipse.emplace_back(3.0 * point.x(), 0.6 * point.y());
   }
-  const TriangleMesh mesh = Mesh(MakePlanarDomain({ ellipse }), Size);
+  const TriangleMesh mesh = DrillMesh(MakePlanarDomain({ ellipse }), {}, Size);
   const GinzburgLandauField field = Solve(mesh, Size);
   ExpectMinimum(field);
   const auto singularities = FindFieldSingularities({ ShareTopology(mesh), field.u });

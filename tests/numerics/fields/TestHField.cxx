@@ -2,6 +2,7 @@
 
 #include "Alignment.h"
 #include "DrillHoles.h"
+#include "ExactFields.h"
 #include "Support.h"
 #include "UnitNormField.h"
 
@@ -13,17 +14,6 @@ namespace crossfield::test
 {
 namespace
 {
-/// Five singularities of mixed sign and sum 4, away from the centre.
-const Configuration Five = { { { 0.31, 0.42 }, 2, 0.0 }, { { -0.52, 0.18 }, 1, 0.0 },
-  { { -0.11, -0.61 }, 1, 0.0 }, { { 0.47, -0.33 }, 1, 0.0 }, { { 0.08, 0.05 }, -1, 0.0 } };
-
-TriangleMesh Mesh(const PlanarDomain& domain, double meshSize, const Configuration& holes = {})
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  return DrillHoles(domain, holes, options);
-}
-
 /// Returns the gradients on a triangle of 4H, from its vertices, and of the phase of u, from its
 /// midpoints.
 std::array<Point, 2> Gradients(const TriangleMesh& mesh, const HField& field, std::size_t t)
@@ -46,11 +36,12 @@ std::array<Point, 2> Gradients(const TriangleMesh& mesh, const HField& field, st
 
 TEST(HField, MatchesTheUnitNormFieldOnDrilledMeshes)
 {
-  const std::vector<TriangleMesh> meshes = { Mesh(Builtin("disk", 0.05), 0.05,
-                                               OnCircle(4, 0.6, 0.3, 1, 0.1)),
-    Mesh(
-      Builtin("ring", 0.05), 0.05, { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }),
-    Mesh(Builtin("l-shape"), 0.04, { { { 0.2, 0.3 }, 1, 0.05 }, { { 0.7, 0.2 }, -1, 0.05 } }) };
+  const std::vector<TriangleMesh> meshes = {
+    DrillMesh(Builtin("disk", 0.05), OnCircle(4, 0.6, 0.3, 1, 0.1), 0.05),
+    DrillMesh(
+      Builtin("ring", 0.05), { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }, 0.05),
+    DrillMesh(Builtin("l-shape"), { { { 0.2, 0.3 }, 1, 0.05 }, { { 0.7, 0.2 }, -1, 0.05 } }, 0.04)
+  };
   for (const TriangleMesh& mesh : meshes)
   {
     const HField field = SolveHField(ShareTopology(mesh), {});
@@ -81,7 +72,7 @@ TEST(HField, ConjugateEnergiesAgree)
 {
   // docs/method.md §2: compares the phase energy from CR values with the potential energy from P1
   // values.
-  const TriangleMesh mesh = Mesh(Builtin("disk", 0.05), 0.05, OnCircle(4, 0.6, 0.3, 1, 0.1));
+  const TriangleMesh mesh = DrillMesh(Builtin("disk", 0.05), OnCircle(4, 0.6, 0.3, 1, 0.1), 0.05);
   const HField field = SolveHField(ShareTopology(mesh), {});
   double phaseEnergy = 0.0;
   double potentialEnergy = 0.0;
@@ -97,7 +88,7 @@ TEST(HField, ConjugateEnergiesAgree)
 
 TEST(HField, IsTheLogarithmOnARing)
 {
-  const TriangleMesh mesh = Mesh(Builtin("ring", 0.03), 0.03);
+  const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.03), {}, 0.03);
   const HField field = SolveHField(ShareTopology(mesh), {});
   // Mean of log r over the ring.
   const auto primitive = [](double r) { return r * r * (0.5 * std::log(r) - 0.25); };
@@ -116,7 +107,7 @@ TEST(HField, AppliesGivenIndicesAtCorners)
 {
   // At a corner of angle α with index k, H behaves like c log r, c = −(turning − kπ/2)/α.
   const PlanarDomain square = Builtin("square");
-  const TriangleMesh mesh = Mesh(square, 0.03);
+  const TriangleMesh mesh = DrillMesh(square, {}, 0.03);
   const Configuration given = { { { 0.0, 0.0 }, 0, 0.0 }, { { 0.7, 0.6 }, 1, 0.0 } };
   const HField field = SolveHField(ShareTopology(mesh), given);
   EXPECT_EQ(field.field.unwantedSingularities, 0);
@@ -150,7 +141,7 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
   const Configuration pair = { { { 0.25, 0.3 }, 1, 0.0 }, { { 0.7, 0.22 }, -1, 0.0 } };
   for (const double size : { 0.03, 0.015 })
   {
-    const TriangleMesh mesh = Mesh(Builtin("l-shape"), size);
+    const TriangleMesh mesh = DrillMesh(Builtin("l-shape"), {}, size);
     const HField field = SolveHField(ShareTopology(mesh), pair);
     const auto away = [&](const Point& point)
     {
@@ -190,19 +181,19 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
 TEST(HField, IsInvariantUnderSimilaritiesAndRenumbering)
 {
   Random random(7);
-  const TriangleMesh mesh = Mesh(Builtin("disk", 0.08), 0.08);
-  const HField plain = SolveHField(ShareTopology(mesh), Five);
+  const TriangleMesh mesh = DrillMesh(Builtin("disk", 0.08), {}, 0.08);
+  const HField plain = SolveHField(ShareTopology(mesh), FiveInDisk);
   for (const double scale : { 1e-6, 1.0, 1e6 })
   {
     const Similarity move{ random.Uniform(-Pi, Pi), scale, scale * Point(1.0, -2.0) };
-    const HField field = SolveHField(ShareTopology(move(mesh)), move(Five));
+    const HField field = SolveHField(ShareTopology(move(mesh)), move(FiveInDisk));
     EXPECT_LT((field.h - plain.h).cwiseAbs().maxCoeff(), 1e-7);
     EXPECT_EQ(field.field.unwantedSingularities, 0);
     // W changes by the logarithm of the scale.
     EXPECT_NEAR(
       field.renormalizedEnergy, plain.renormalizedEnergy + Pi * 8.0 * std::log(scale), 1e-6);
   }
-  const HField renumbered = SolveHField(ShareTopology(Renumber(mesh, random)), Five);
+  const HField renumbered = SolveHField(ShareTopology(Renumber(mesh, random)), FiveInDisk);
   EXPECT_NEAR(renumbered.renormalizedEnergy, plain.renormalizedEnergy, 1e-8);
 }
 
@@ -215,16 +206,17 @@ TEST(HField, IsScaleInvariantOverManyOrdersOfMagnitude)
     /// Change of W per unit of the logarithm of the scale.
     double shift;
   };
-  // Five pairs on a ring: ten logarithms contribute to each value.
+  // FiveInDisk pairs on a ring: ten logarithms contribute to each value.
   Configuration pairs = OnCircle(5, 0.6, 0.3, 1, 0.0);
   for (const Singularity& singularity : OnCircle(5, 0.8, 0.5, -1, 0.0))
   {
     pairs.push_back(singularity);
   }
-  const std::vector<Case> cases = { { "disk", Five, Pi * 8.0 }, { "ring", pairs, Pi * 10.0 } };
+  const std::vector<Case> cases = { { "disk", FiveInDisk, Pi * 8.0 },
+    { "ring", pairs, Pi * 10.0 } };
   for (const auto& [name, configuration, shift] : cases)
   {
-    const TriangleMesh mesh = Mesh(Builtin(name, 0.1), 0.1);
+    const TriangleMesh mesh = DrillMesh(Builtin(name, 0.1), {}, 0.1);
     const HField plain = SolveHField(ShareTopology(mesh), configuration);
     for (const double scale : { 1e-59, 1e-40, 1e-20, 1e20, 1e40, 1e59 })
     {
@@ -248,7 +240,7 @@ TEST(HField, IsScaleInvariantOverManyOrdersOfMagnitude)
 
 TEST(HField, IsFiniteForSingularitiesAtVerticesAndMidpoints)
 {
-  const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
+  const TriangleMesh mesh = DrillMesh(Builtin("disk", 0.1), {}, 0.1);
   const EdgeNumbering edges = NumberEdges(mesh);
   int vertex = 0;
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -277,7 +269,7 @@ TEST(HField, IsFiniteForSingularitiesAtVerticesAndMidpoints)
 
 TEST(HField, RejectsConfigurationsWithoutSolution)
 {
-  const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
+  const TriangleMesh mesh = DrillMesh(Builtin("disk", 0.1), {}, 0.1);
   EXPECT_TRUE(Refuses(
     [&] {
       SolveHField(ShareTopology(mesh), { { { 0.1, 0.2 }, 3, 0.0 } });
@@ -299,7 +291,7 @@ TEST(HField, RejectsConfigurationsWithoutSolution)
     },
     { "Singularities 1 and 2", "same place", "(0.1, 0.2)" }));
   const Configuration holes = OnCircle(4, 0.6, 0.3, 1, 0.1);
-  const TriangleMesh drilled = Mesh(Builtin("disk", 0.1), 0.1, holes);
+  const TriangleMesh drilled = DrillMesh(Builtin("disk", 0.1), holes, 0.1);
   EXPECT_NO_THROW(SolveHField(ShareTopology(drilled), holes));
   EXPECT_TRUE(Refuses(
     [&] {

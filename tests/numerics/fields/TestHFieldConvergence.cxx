@@ -13,10 +13,6 @@ namespace crossfield::test
 {
 namespace
 {
-/// Five singularities of mixed sign and sum 4, away from the centre.
-const Configuration Five = { { { 0.31, 0.42 }, 2, 0.0 }, { { -0.52, 0.18 }, 1, 0.0 },
-  { { -0.11, -0.61 }, 1, 0.0 }, { { 0.47, -0.33 }, 1, 0.0 }, { { 0.08, 0.05 }, -1, 0.0 } };
-
 /// Returns the exact H of docs/method.md §9 with area mean 0: log|z − b| has the mean (|b|² − 1) /
 /// 2, and the images have mean 0.
 double ExactH(const Configuration& configuration, const Point& point)
@@ -38,13 +34,6 @@ Complex ExactCross(const Configuration& configuration, const Point& point)
   return DiskImage{}.CrossAt(configuration, point);
 }
 
-TriangleMesh Mesh(const PlanarDomain& domain, double meshSize, const Configuration& holes = {})
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  return DrillHoles(domain, holes, options);
-}
-
 TEST(HField, ConvergesAtSecondOrderOnTheDisk)
 {
   std::vector<double> sizes;
@@ -53,16 +42,17 @@ TEST(HField, ConvergesAtSecondOrderOnTheDisk)
   std::vector<double> crossErrors;
   for (const double size : { 0.08, 0.056, 0.04, 0.028 })
   {
-    const TriangleMesh mesh = Mesh(Builtin("disk", size), size);
-    const HField field = SolveHField(ShareTopology(mesh), Five);
+    const TriangleMesh mesh = DrillMesh(Builtin("disk", size), {}, size);
+    const HField field = SolveHField(ShareTopology(mesh), FiveInDisk);
     double error = 0.0;
     double awayError = 0.0;
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       const Point& point = mesh.points[v];
-      const double here = std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(Five, point));
+      const double here =
+        std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(FiveInDisk, point));
       error = std::max(error, here);
-      const bool away = std::all_of(Five.begin(), Five.end(),
+      const bool away = std::all_of(FiveInDisk.begin(), FiveInDisk.end(),
         [&](const Singularity& s) { return (s.position - point).norm() > 0.1; });
       awayError = std::max(awayError, away ? here : 0.0);
     }
@@ -73,8 +63,8 @@ TEST(HField, ConvergesAtSecondOrderOnTheDisk)
       if (field.field.topology->edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
       {
         crossError = std::max(crossError,
-          std::abs(
-            field.field.u[e] - ExactCross(Five, Midpoint(mesh, field.field.topology->edges, e))));
+          std::abs(field.field.u[e] -
+            ExactCross(FiveInDisk, Midpoint(mesh, field.field.topology->edges, e))));
       }
     }
     sizes.push_back(size);
@@ -108,7 +98,7 @@ TEST(HField, ConvergesAtSecondOrderOnARing)
     std::vector<double> crossErrors;
     for (const double size : { 0.08, 0.04, 0.02 })
     {
-      const TriangleMesh mesh = Mesh(Builtin("ring", size), size);
+      const TriangleMesh mesh = DrillMesh(Builtin("ring", size), {}, size);
       const HField field = SolveHField(ShareTopology(mesh), configuration);
       Eigen::ArrayXd off = field.h;
       for (Eigen::Index v = 0; v < off.size(); ++v)
@@ -157,7 +147,8 @@ TEST(HField, ConvergesAtSecondOrderForSingularitiesOnTheBoundary)
     {
       const double size = 2.0 * Pi / count;
       const OnPolygonOfDisk at = PutOnPolygon(count, 0.0, mixed, place);
-      const TriangleMesh mesh = Mesh(InsertBoundarySingularities(at.domain, at.given), size);
+      const TriangleMesh mesh =
+        DrillMesh(InsertBoundarySingularities(at.domain, at.given), {}, size);
       const HField field = SolveHField(ShareTopology(mesh), at.given);
       const auto away = [&](const Point& point, double distance)
       {

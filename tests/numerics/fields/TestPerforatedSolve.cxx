@@ -17,29 +17,24 @@ struct Case
   TriangleMesh mesh;
 };
 
-TriangleMesh Drill(const PlanarDomain& domain, const Configuration& holes, double meshSize = 0.08)
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  return DrillHoles(domain, holes, options);
-}
-
 /// Returns consistent configurations on domains with curves, corners and inner loops.
 std::vector<Case> Cases()
 {
   Configuration ring = OnCircle(4, 0.7, 0.0, 1, 0.06);
   const Configuration negative = OnCircle(4, 0.7, 0.25 * Pi, -1, 0.06);
   ring.insert(ring.end(), negative.begin(), negative.end());
-  return { { "disk", Drill(Builtin("disk", 0.08), OnCircle(4, 0.6, 0.3, 1, 0.1)) },
-    { "ring", Drill(Builtin("ring", 0.08), ring) },
-    { "ring without holes", Drill(Builtin("ring", 0.08), {}) },
-    { "quarter-disk", Drill(Builtin("quarter-disk", 0.08), { { { 0.4, 0.4 }, 1, 0.1 } }) },
-    { "hexagon", Drill(MakePlanarDomain({ RegularPolygon(6) }), OnCircle(2, 0.4, 0.2, -1, 0.08)) },
+  return { { "disk", DrillMesh(Builtin("disk", 0.08), OnCircle(4, 0.6, 0.3, 1, 0.1), 0.08) },
+    { "ring", DrillMesh(Builtin("ring", 0.08), ring, 0.08) },
+    { "ring without holes", DrillMesh(Builtin("ring", 0.08), {}, 0.08) },
+    { "quarter-disk",
+      DrillMesh(Builtin("quarter-disk", 0.08), { { { 0.4, 0.4 }, 1, 0.1 } }, 0.08) },
+    { "hexagon",
+      DrillMesh(MakePlanarDomain({ RegularPolygon(6) }), OnCircle(2, 0.4, 0.2, -1, 0.08), 0.08) },
     { "disk with a square island",
-      Drill(MakePlanarDomain({ Builtin("disk", 0.08).loops[0], RegularPolygon(4, 0.2) }),
-        OnCircle(4, 0.6, 0.0, 1, 0.1)) },
+      DrillMesh(MakePlanarDomain({ Builtin("disk", 0.08).loops[0], RegularPolygon(4, 0.2) }),
+        OnCircle(4, 0.6, 0.0, 1, 0.1), 0.08) },
     // Holes so close to the boundary that the mesher divides some of their edges.
-    { "divided edges", Drill(Builtin("disk", 0.08), OnCircle(4, 0.89, 0.3, 1, 0.1), 0.2) } };
+    { "divided edges", DrillMesh(Builtin("disk", 0.08), OnCircle(4, 0.89, 0.3, 1, 0.1), 0.2) } };
 }
 
 TEST(PerforatedSolve, EveryBoundaryEdgeIsAlignedExactly)
@@ -188,7 +183,7 @@ TEST(PerforatedSolve, RotationChangesTheEnergyByMeshNoiseOnly)
   const PlanarDomain disk = Builtin("disk", 0.05);
   const Configuration holes = OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1);
   const auto energy = [](const PlanarDomain& domain, const Configuration& configuration)
-  { return SolvePerforated(ShareTopology(Drill(domain, configuration, 0.05))).energy; };
+  { return SolvePerforated(ShareTopology(DrillMesh(domain, configuration, 0.05))).energy; };
   const double plain = energy(disk, holes);
   for (int trial = 0; trial < 3; ++trial)
   {
@@ -206,7 +201,8 @@ TEST(PerforatedSolve, IsTheHarmonicFieldWithoutHoles)
   EXPECT_EQ(field.iterations, 0);
   EXPECT_TRUE(field.multipliers.empty());
   // On a square the field is the constant cross, of energy zero.
-  const SolvedField constant = SolvePerforated(ShareTopology(Drill(Builtin("square"), {})));
+  const SolvedField constant =
+    SolvePerforated(ShareTopology(DrillMesh(Builtin("square"), {}, 0.08)));
   EXPECT_NEAR(constant.energy, 0.0, 1e-12);
   EXPECT_LE((constant.u - ComplexVector::Ones(constant.u.size())).lpNorm<Eigen::Infinity>(), 1e-10);
 }
@@ -276,7 +272,7 @@ TEST(PerforatedSolve, RejectsAnInconsistentSumWithBothNumbers)
   const auto refused = [](const PlanarDomain& domain, const Configuration& holes,
                          const std::string& given, const std::string& required)
   {
-    const TriangleMesh mesh = Drill(domain, holes);
+    const TriangleMesh mesh = DrillMesh(domain, holes, 0.08);
     return Refuses([&] { SolvePerforated(ShareTopology(mesh)); },
       { "add up to " + given, "Poincaré-Hopf", "requires " + required }, Error::Kind::Inconsistent);
   };

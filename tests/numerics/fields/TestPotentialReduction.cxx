@@ -11,13 +11,6 @@ namespace crossfield::test
 {
 namespace
 {
-TriangleMesh Drill(const PlanarDomain& domain, const Configuration& holes)
-{
-  DrillOptions options;
-  options.meshSize = 0.08;
-  return DrillHoles(domain, holes, options);
-}
-
 /// Returns meshes with and without islands, with equal and unequal holes.
 std::vector<TriangleMesh> Meshes()
 {
@@ -25,12 +18,13 @@ std::vector<TriangleMesh> Meshes()
   Configuration unequal = OnCircle(3, 0.6, 0.1, 1, 0.08);
   unequal.push_back({ { 0.05, 0.0 }, 2, 0.15 });
   unequal.push_back({ { 0.2, 0.3 }, -1, 0.04 });
-  return { Drill(Builtin("disk", 0.08), OnCircle(4, 0.6, 0.3, 1, 0.1)),
-    Drill(Builtin("disk", 0.08), unequal), Drill(Builtin("ring", 0.08), {}),
-    Drill(Builtin("ring", 0.08), { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }),
-    Drill(MakePlanarDomain({ disk, RegularPolygon(4, 0.15, Point(0.1, 0.1)),
-            RegularPolygon(12, 0.1, Point(-0.3, -0.2)) }),
-      { { { 0.6, 0.0 }, -1, 0.08 }, { { -0.6, 0.1 }, 1, 0.05 } }) };
+  return { DrillMesh(Builtin("disk", 0.08), OnCircle(4, 0.6, 0.3, 1, 0.1), 0.08),
+    DrillMesh(Builtin("disk", 0.08), unequal, 0.08), DrillMesh(Builtin("ring", 0.08), {}, 0.08),
+    DrillMesh(
+      Builtin("ring", 0.08), { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }, 0.08),
+    DrillMesh(MakePlanarDomain({ disk, RegularPolygon(4, 0.15, Point(0.1, 0.1)),
+                RegularPolygon(12, 0.1, Point(-0.3, -0.2)) }),
+      { { { 0.6, 0.0 }, -1, 0.08 }, { { -0.6, 0.1 }, 1, 0.05 } }, 0.08) };
 }
 
 TEST(PotentialReduction, ReducedFormEqualsTheDirectForm)

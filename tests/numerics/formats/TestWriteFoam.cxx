@@ -5,6 +5,7 @@
 #include "FoamMesh.h"
 #include "FormatChecks.h"
 #include "MeshBlocks.h"
+#include "Plane.h"
 #include "SweepQuads.h"
 
 #include <Eigen/Geometry>
@@ -17,7 +18,6 @@ namespace crossfield::test
 {
 namespace
 {
-const double Pi = std::acos(-1.0);
 
 FoamMesh FacesOf(const SolverMesh& mesh)
 {

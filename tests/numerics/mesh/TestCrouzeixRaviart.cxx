@@ -9,9 +9,10 @@ namespace crossfield::test
 {
 namespace
 {
-using Function = std::function<double(const Point&)>;
+using RealFunction = std::function<double(const Point&)>;
 
-Eigen::VectorXd AtMidpoints(const TriangleMesh& mesh, const EdgeNumbering& edges, const Function& f)
+Eigen::VectorXd AtMidpoints(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const RealFunction& f)
 {
   Eigen::VectorXd values(edges.Count());
   for (int e = 0; e < edges.Count(); ++e)
@@ -165,7 +166,7 @@ TEST(CrouzeixRaviart, IsFourTimesTheLinearElement)
 /// Minimises the energy with the values of f on the boundary edges and returns the values on all
 /// edges.
 Eigen::VectorXd SolveDirichlet(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const SparseMatrix& stiffness, const Function& f)
+  const SparseMatrix& stiffness, const RealFunction& f)
 {
   Eigen::VectorXd u = AtMidpoints(mesh, edges, f);
   SparseMatrix matrix = stiffness;
@@ -186,7 +187,7 @@ Eigen::VectorXd SolveDirichlet(const TriangleMesh& mesh, const EdgeNumbering& ed
 TEST(CrouzeixRaviart, EnergyAndValuesConvergeAtSecondOrder)
 {
   // e^x cos y is harmonic; on the unit square ½ ∫ |∇f|² = ¼ (e² − 1).
-  const Function f = [](const Point& x) { return std::exp(x.x()) * std::cos(x.y()); };
+  const RealFunction f = [](const Point& x) { return std::exp(x.x()) * std::cos(x.y()); };
   const double exact = 0.25 * (std::exp(2.0) - 1.0);
   DrillOptions options;
   options.meshSize = 0.25;

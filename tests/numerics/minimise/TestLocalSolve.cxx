@@ -1,6 +1,7 @@
 #include "DirectPerforatedSolve.h"
 #include "DualSolve.h"
 #include "LocalSolve.h"
+#include "RandomProblem.h"
 #include "Support.h"
 
 #include <Eigen/Cholesky>
@@ -11,45 +12,6 @@ namespace crossfield::test
 {
 namespace
 {
-/// Returns a problem with holes of degrees ±1 .. ±3 and a random positive definite matrix. Evenly
-/// turning unit values differ from the constrained minimum by about `noise`.
-ReducedProblem RandomProblem(Random& random, int holeCount, double noise)
-{
-  ReducedProblem problem;
-  int size = 0;
-  std::vector<Complex> turning;
-  for (int h = 0; h < holeCount; ++h)
-  {
-    const int m = random.Integer(12, 24);
-    const int degree = random.Integer(1, 3) * (random.Integer(0, 1) == 0 ? 1 : -1);
-    DegreeConstraint constraint;
-    constraint.degree = degree;
-    constraint.target = m * std::sin(2.0 * Pi * degree / m);
-    for (int j = 0; j < m; ++j)
-    {
-      constraint.unknowns.push_back(size++);
-      turning.push_back(std::polar(1.0, 2.0 * Pi * degree * j / m));
-    }
-    problem.constraints.push_back(constraint);
-  }
-  const Eigen::MatrixXd root =
-    Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
-  problem.matrix = MatrixOn(problem.constraints,
-    root * root.transpose() / size + 0.5 * Eigen::MatrixXd::Identity(size, size));
-  ComplexVector harmonic = Eigen::Map<ComplexVector>(turning.data(), size);
-  for (Complex& value : harmonic)
-  {
-    value += noise * random.Square();
-  }
-  problem.load = problem.matrix * harmonic;
-  return problem;
-}
-
-double Objective(const ReducedProblem& problem, const ComplexVector& x)
-{
-  return 0.5 * x.dot(problem.matrix * x).real() - problem.load.dot(x).real();
-}
-
 /// Makes x feasible hole by hole; scaling achieves this where C has the sign of its target.
 bool Restore(const ReducedProblem& problem, ComplexVector& x)
 {

@@ -32,8 +32,7 @@ ReducedProblem RandomProblem(Random& random, int holeCount)
     problem.constraints.push_back(constraint);
   }
   const int size = Edges * holeCount;
-  const Eigen::MatrixXd root =
-    Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
+  const Eigen::MatrixXd root = RandomMatrix(random, size, size);
   problem.matrix = MatrixOn(problem.constraints, root * root.transpose());
   const double scale = std::pow(10.0, random.Uniform(-2.0, 1.0));
   problem.load = ComplexVector::NullaryExpr(size, [&] { return scale * random.Square(); });

@@ -116,7 +116,7 @@ TEST(PositionEnergy, CurvatureIsTheDerivativeOfTheGradient)
   ASSERT_EQ(curvature.hessian.rows(), 10);
   EXPECT_LT(
     (curvature.hessian - curvature.hessian.transpose()).norm(), 1e-10 * curvature.hessian.norm());
-  constexpr double Step = 1e-5;
+  constexpr double Shift = 1e-5;
   // The response of R is that of P1, which is too small by a few per cent on this mesh.
   constexpr double Tolerance = 0.03;
   Eigen::MatrixXd differences(10, 10);
@@ -124,14 +124,14 @@ TEST(PositionEnergy, CurvatureIsTheDerivativeOfTheGradient)
   {
     Configuration forward = Singularities;
     Configuration backward = Singularities;
-    forward[static_cast<std::size_t>(i / 2)].position[i % 2] += Step;
-    backward[static_cast<std::size_t>(i / 2)].position[i % 2] -= Step;
+    forward[static_cast<std::size_t>(i / 2)].position[i % 2] += Shift;
+    backward[static_cast<std::size_t>(i / 2)].position[i % 2] -= Shift;
     differences.col(i) = (LagrangianGradient(energy, forward, multipliers) -
                            LagrangianGradient(energy, backward, multipliers)) /
-      (2.0 * Step);
+      (2.0 * Shift);
     const Eigen::VectorXd regular =
       (energy.Evaluate(forward).solution.regular - energy.Evaluate(backward).solution.regular) /
-      (2.0 * Step);
+      (2.0 * Shift);
     EXPECT_LT((curvature.regular.col(i) - regular).norm(), 1e-6 * regular.norm()) << i;
   }
   EXPECT_LT((curvature.hessian - differences).norm(), Tolerance * differences.norm());

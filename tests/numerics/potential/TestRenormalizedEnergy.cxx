@@ -16,13 +16,6 @@ namespace crossfield::test
 {
 namespace
 {
-TriangleMesh Mesh(const PlanarDomain& domain, double meshSize)
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  return DrillHoles(domain, {}, options);
-}
-
 RenormalizedEnergyValue Evaluate(
   const PointPotential& potential, const Configuration& configuration)
 {
@@ -53,7 +46,7 @@ TEST(RenormalizedEnergy, ConvergesToExactValuesOnTheDisk)
     std::vector<double> errors;
     for (const double size : { 0.1, 0.05, 0.025, 0.0125 })
     {
-      const TriangleMesh mesh = Mesh(Builtin("disk", size), size);
+      const TriangleMesh mesh = DrillMesh(Builtin("disk", size), {}, size);
       const PointPotential potential = PointPotentialOn(mesh, {}, 4);
       sizes.push_back(size);
       errors.push_back(
@@ -75,7 +68,7 @@ const std::vector<Configuration> WithBoundary = { { OnTheCircle(0.3, 1), { { 0.1
 /// Evaluates W and the coefficient of the logarithm on a polygon of a disk.
 RenormalizedEnergyValue OnPolygon(const OnPolygonOfDisk& at, double size)
 {
-  const TriangleMesh mesh = Mesh(InsertBoundarySingularities(at.domain, at.given), size);
+  const TriangleMesh mesh = DrillMesh(InsertBoundarySingularities(at.domain, at.given), {}, size);
   const auto potential = std::make_shared<const PotentialSolver>(ShareTopology(mesh));
   const PlanarTopology& topology = potential->GetTopology();
   const PlacedConfiguration placed = PlaceConfiguration(topology, at.given, {});
@@ -144,7 +137,7 @@ TEST(RenormalizedEnergy, AgreesWithThetaFunctionsOnRings)
     {
       SCOPED_TRACE(std::to_string(c) + ", " + std::to_string(sizes[i]));
       const double square = sizes[i] * sizes[i];
-      const TriangleMesh mesh = Mesh(Builtin("ring", sizes[i]), sizes[i]);
+      const TriangleMesh mesh = DrillMesh(Builtin("ring", sizes[i]), {}, sizes[i]);
       const RenormalizedEnergyValue value = Evaluate(PointPotentialOn(mesh, {}, 0), cases[c]);
       const double tolerance = 6.0 * squares * square;
       EXPECT_NEAR(value.energy, ring.Energy(cases[c]), tolerance);
@@ -178,7 +171,7 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
   for (const GradientCase& test : cases)
   {
     SCOPED_TRACE(test.name);
-    const TriangleMesh mesh = Mesh(test.domain, 0.1);
+    const TriangleMesh mesh = DrillMesh(test.domain, {}, 0.1);
     const PointPotential potential =
       PointPotentialOn(mesh, test.corners, TotalQuarters(test.configuration));
     const RenormalizedEnergyValue value = Evaluate(potential, test.configuration);
@@ -216,7 +209,7 @@ TEST(RenormalizedEnergy, EnergyOfADefectIsBetterThanItsLowerBound)
   const PlanarDomain ring =
     MakePlanarDomain({ RegularPolygon(256, 1.0), RegularPolygon(24, inner) });
   const Configuration pair = { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } };
-  const PointPotential potential = PointPotentialOn(Mesh(ring, 0.2), {}, 0);
+  const PointPotential potential = PointPotentialOn(DrillMesh(ring, {}, 0.2), {}, 0);
   const PointPotential::Solution solution = potential.Solve(pair);
   const RenormalizedEnergyValue value = EvaluateRenormalizedEnergy(potential, solution);
   const double offset = solution.offsets[0];
@@ -247,7 +240,7 @@ TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
     { Builtin("ring", size), { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } } } };
   for (const Case& test : cases)
   {
-    const TriangleMesh mesh = Mesh(test.domain, size);
+    const TriangleMesh mesh = DrillMesh(test.domain, {}, size);
     const PointPotential potential = PointPotentialOn(mesh, {}, TotalQuarters(test.configuration));
     const RenormalizedEnergyValue value = Evaluate(potential, test.configuration);
     std::vector<double> differences;
@@ -322,7 +315,7 @@ TEST(RenormalizedEnergy, OnlyCornersWithAJumpHaveALogarithm)
   const auto corners =
     [](const PlanarDomain& domain, const std::vector<CornerChoice>& choices, int quarters)
   {
-    const TriangleMesh mesh = Mesh(domain, 0.1);
+    const TriangleMesh mesh = DrillMesh(domain, {}, 0.1);
     return PointPotentialOn(mesh, choices, quarters).GetBoundaryLogs();
   };
   EXPECT_TRUE(corners(Builtin("l-shape"), {}, 0).empty());
@@ -344,7 +337,7 @@ TEST(RenormalizedEnergy, VanishesOnAQuarterDiskWithIndexTwoAtItsCentre)
   // and below zero by O(h²) on its chords.
   for (const double size : { 0.1, 0.03 })
   {
-    const TriangleMesh mesh = Mesh(Builtin("quarter-disk", size), size);
+    const TriangleMesh mesh = DrillMesh(Builtin("quarter-disk", size), {}, size);
     const PointPotential potential = PointPotentialOn(mesh, { { { 0.0, 0.0 }, 2 } }, 0);
     const RenormalizedEnergyValue value = Evaluate(potential, {});
     EXPECT_NEAR(value.logarithmCoefficient, 4.0 * Pi, 1e-9);

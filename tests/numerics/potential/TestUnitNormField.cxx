@@ -10,13 +10,6 @@ namespace crossfield::test
 {
 namespace
 {
-TriangleMesh Drill(const PlanarDomain& domain, const Configuration& holes, double meshSize = 0.05)
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  return DrillHoles(domain, holes, options);
-}
-
 Configuration Joined(Configuration first, const Configuration& second)
 {
   first.insert(first.end(), second.begin(), second.end());
@@ -31,11 +24,11 @@ Configuration PairOnRing()
 
 TEST(UnitNormField, IsUnitAlignedAndHasItsDegrees)
 {
-  const std::vector<TriangleMesh> meshes = { Drill(Builtin("disk", 0.05),
-                                               OnCircle(4, 0.6, 0.3, 1, 0.1)),
-    Drill(Builtin("ring", 0.05), PairOnRing()),
-    Drill(Builtin("square"), { { { 0.3, 0.35 }, 1, 0.06 }, { { 0.7, 0.6 }, -1, 0.06 } }, 0.04),
-    Drill(Builtin("disk", 0.05), { { { 0.2, 0.0 }, 4, 0.1 } }) };
+  const std::vector<TriangleMesh> meshes = { DrillMesh(Builtin("disk", 0.05),
+                                               OnCircle(4, 0.6, 0.3, 1, 0.1), 0.05),
+    DrillMesh(Builtin("ring", 0.05), PairOnRing(), 0.05),
+    DrillMesh(Builtin("square"), { { { 0.3, 0.35 }, 1, 0.06 }, { { 0.7, 0.6 }, -1, 0.06 } }, 0.04),
+    DrillMesh(Builtin("disk", 0.05), { { { 0.2, 0.0 }, 4, 0.1 } }, 0.05) };
   for (const TriangleMesh& mesh : meshes)
   {
     const PotentialProblem problem = ProblemOn(mesh);
@@ -70,7 +63,7 @@ TEST(UnitNormField, HasTheEnergiesOfReferenceConfigurations)
   // docs/method.md §9, from the independent prototype.
   const auto expectEnergy = [](const Configuration& holes, double energy)
   {
-    const TriangleMesh mesh = Drill(Builtin("disk", 0.05), holes);
+    const TriangleMesh mesh = DrillMesh(Builtin("disk", 0.05), holes, 0.05);
     EXPECT_NEAR(SolveUnitNorm(ProblemOn(mesh)).energy, energy, 0.02 * energy);
   };
   expectEnergy(OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1), 30.27);
@@ -114,7 +107,7 @@ TEST(UnitNormField, ConvergesAtSecondOrderToTheLogarithmOfACentralHole)
 
 TEST(UnitNormField, IsTheRadialFieldOnARing)
 {
-  const TriangleMesh mesh = Drill(Builtin("ring", 0.02), {}, 0.02);
+  const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.02), {}, 0.02);
   const PotentialProblem problem = ProblemOn(mesh);
   const UnitNormField field = SolveUnitNorm(problem);
   const double exact = 16.0 * Pi * std::log(1.0 / 0.4);
@@ -126,7 +119,7 @@ TEST(UnitNormField, IsTheRadialFieldOnARing)
 TEST(UnitNormField, IsInvariantUnderSimilaritiesAndRenumbering)
 {
   Random random(120);
-  const TriangleMesh mesh = Drill(Builtin("ring", 0.08), PairOnRing(), 0.08);
+  const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.08), PairOnRing(), 0.08);
   const UnitNormField plain = SolveUnitNorm(ProblemOn(mesh));
   ASSERT_EQ(plain.holonomyDefect.size(), 1u);
   EXPECT_GT(std::abs(plain.holonomyDefect[0]), 0.1);
@@ -143,7 +136,7 @@ TEST(UnitNormField, IsInvariantUnderSimilaritiesAndRenumbering)
 
 TEST(UnitNormField, MirroringNegatesTheHolonomyDefect)
 {
-  const TriangleMesh mesh = Drill(Builtin("ring", 0.08), PairOnRing(), 0.08);
+  const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.08), PairOnRing(), 0.08);
   TriangleMesh mirrored = mesh;
   for (Point& point : mirrored.points)
   {

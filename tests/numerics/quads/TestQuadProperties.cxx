@@ -152,7 +152,7 @@ bool FarApart(const SeamlessMap& map, double size)
   return true;
 }
 
-void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
+void ExpectConforming(const QuadResult& result, const SeamlessMap& map, double size)
 {
   const QuadMesh& mesh = result.mesh;
   // Throws unless the mesh is conforming and manifold, and no quad has a point twice.
@@ -257,7 +257,7 @@ TEST(QuadProperties, HoldOnRandomDomains)
         QuadOptions options;
         options.quadSize = part * extent;
         const QuadResult result = MakeQuads(LayoutOf(map), options);
-        ExpectSound(result, map, options.quadSize);
+        ExpectConforming(result, map, options.quadSize);
         ++meshes;
         far += FarApart(map, options.quadSize) ? 1 : 0;
         if (print)

@@ -1,4 +1,5 @@
 #include "DrillHoles.h"
+#include "ExactFields.h"
 #include "FieldIndices.h"
 #include "Support.h"
 
@@ -9,33 +10,13 @@ namespace crossfield::test
 {
 namespace
 {
-Complex AsComplex(const Point& point)
-{
-  return { point.x(), point.y() };
-}
-
-/// Returns the normalised product of (z − b)^k (1 − conj(b) z)^k, aligned with the unit circle if Σ
-/// k = 4.
-Complex ExactField(const Configuration& singularities, const Point& place)
-{
-  const Complex z = AsComplex(place);
-  Complex u = 1.0;
-  for (const Singularity& singularity : singularities)
-  {
-    const Complex b = AsComplex(singularity.position);
-    const Complex factor = (z - b) * (1.0 - std::conj(b) * z);
-    u *= std::pow(factor / std::abs(factor), singularity.quarterIndex);
-  }
-  return u / std::abs(u);
-}
-
 ComplexVector Sample(
   const TriangleMesh& mesh, const EdgeNumbering& edges, const Configuration& singularities)
 {
   ComplexVector u(edges.Count());
   for (int e = 0; e < edges.Count(); ++e)
   {
-    u[e] = ExactField(singularities, Midpoint(mesh, edges, e));
+    u[e] = DiskImage{}.CrossAt(singularities, Midpoint(mesh, edges, e));
   }
   return u;
 }

@@ -1,4 +1,5 @@
 #include "DrillHoles.h"
+#include "ExactFields.h"
 #include "FieldSingularities.h"
 #include "PerforatedSolve.h"
 #include "Support.h"
@@ -13,25 +14,6 @@ namespace crossfield::test
 namespace
 {
 using Place = FieldSingularity::Place;
-
-Complex AsComplex(const Point& point)
-{
-  return { point.x(), point.y() };
-}
-
-/// Returns the normalised Π (z − b)^k (1 − conj(b) z)^k, aligned with the unit circle if Σ k = 4.
-Complex ExactField(const Configuration& singularities, const Point& place)
-{
-  const Complex z = AsComplex(place);
-  Complex u = 1.0;
-  for (const Singularity& singularity : singularities)
-  {
-    const Complex b = AsComplex(singularity.position);
-    const Complex factor = (z - b) * (1.0 - std::conj(b) * z);
-    u *= std::pow(factor / std::abs(factor), singularity.quarterIndex);
-  }
-  return u / std::abs(u);
-}
 
 /// Disk of a given mesh size.
 struct Disk
@@ -50,7 +32,7 @@ struct Disk
     ComplexVector u(this->edges.Count());
     for (int e = 0; e < this->edges.Count(); ++e)
     {
-      u[e] = ExactField(singularities, Midpoint(this->mesh, this->edges, e));
+      u[e] = DiskImage{}.CrossAt(singularities, Midpoint(this->mesh, this->edges, e));
     }
     return u;
   }
@@ -147,7 +129,8 @@ TEST(FieldSingularities, PositionIsTheZeroOfALocallyLinearField)
       ComplexVector u(disk.edges.Count());
       for (int e = 0; e < disk.edges.Count(); ++e)
       {
-        const Complex z = AsComplex(Midpoint(disk.mesh, disk.edges, e)) - zero;
+        const Point place = Midpoint(disk.mesh, disk.edges, e);
+        const Complex z = Complex(place.x(), place.y()) - zero;
         u[e] = Complex(1.3, 0.4) * (positive ? z : std::conj(z));
       }
       int inside = 0;
@@ -158,7 +141,7 @@ TEST(FieldSingularities, PositionIsTheZeroOfALocallyLinearField)
         {
           ++inside;
           EXPECT_EQ(found.quarterIndex, positive ? 1 : -1);
-          EXPECT_LT(std::abs(AsComplex(found.position) - zero), 1e-12);
+          EXPECT_LT((found.position - Point(zero.real(), zero.imag())).norm(), 1e-12);
         }
       }
       EXPECT_EQ(inside, 1);

@@ -2,6 +2,7 @@
 
 #include "BoundaryOrder.h"
 
+#include "FreePoints.h"
 #include "Layouts.h"
 #include "MeshBoundary.h"
 #include "MeshForPoints.h"
@@ -39,16 +40,6 @@ SeamlessMap MapOfRing()
   const Configuration eight = Join(OnCircle(4, 0.8, 0.1, 1, 0.0), OnCircle(4, 0.6, 0.1, -1, 0.0));
   return SolveSeamlessMap(
     ShareTopology(MeshThroughPoints(Builtin("ring", 0.1), eight, 0.1)), eight);
-}
-
-std::vector<bool> AllButFixed(const QuadMesh& mesh)
-{
-  std::vector<bool> moves;
-  for (const QuadPoint& point : mesh.points)
-  {
-    moves.push_back(!point.fixed);
-  }
-  return moves;
 }
 
 Eigen::VectorXd RandomVector(Random& random, Eigen::Index size)

@@ -1,4 +1,5 @@
 #include "CoarseQuads.h"
+#include "FreePoints.h"
 #include "Layouts.h"
 #include "MeshBoundary.h"
 #include "MeshForPoints.h"
@@ -28,16 +29,6 @@ QuadResult QuadsOf(const SeamlessMap& map, int count, Sizing sizing = Sizing::Co
   options.quadCount = count;
   options.sizes.sizing = sizing;
   return MakeQuads(LayoutOf(map), options);
-}
-
-std::vector<bool> AllButFixed(const QuadMesh& mesh)
-{
-  std::vector<bool> moves;
-  for (const QuadPoint& point : mesh.points)
-  {
-    moves.push_back(!point.fixed);
-  }
-  return moves;
 }
 
 Eigen::VectorXd RandomVector(Eigen::Index size, unsigned seed)

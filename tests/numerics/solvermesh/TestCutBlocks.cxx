@@ -3,6 +3,7 @@
 #include "CutBlocks.h"
 
 #include "MeshBlocks.h"
+#include "Plane.h"
 #include "SweepQuads.h"
 #include "formats/FormatChecks.h"
 
@@ -13,7 +14,6 @@ namespace crossfield::test
 {
 namespace
 {
-const double Pi = std::acos(-1.0);
 
 /// Ring of one block that meets itself, from radius 1 to 2.
 SolverMesh Ring(int around, int across)

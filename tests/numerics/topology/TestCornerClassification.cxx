@@ -12,7 +12,7 @@ namespace crossfield::test
 {
 namespace
 {
-constexpr double Interior = Pi / 16.0;
+constexpr double QuarterInside = Pi / 16.0;
 
 /// Returns the index in −4 .. 4 of minimum energy at a given price per quarter, by brute force.
 int Cheapest(double angle, double price)
@@ -110,8 +110,8 @@ TEST(CornerClassification, RulesFollowTheRanges)
       continue; // nearly straight: no corner
     }
     EXPECT_NEAR(corner.angle, angle, 1e-12);
-    EXPECT_EQ(corner.scarce, Cheapest(angle, Interior));
-    EXPECT_EQ(corner.excess, Cheapest(angle, -Interior));
+    EXPECT_EQ(corner.scarce, Cheapest(angle, QuarterInside));
+    EXPECT_EQ(corner.excess, Cheapest(angle, -QuarterInside));
     const double a = angle / (2.0 * Pi);
     EXPECT_LE(3.0 / 8.0 - 7.0 * a / 8.0, corner.scarce / 4.0 + 1e-12);
     EXPECT_GE(5.0 / 8.0 - 7.0 * a / 8.0, corner.scarce / 4.0 - 1e-12);
@@ -156,7 +156,7 @@ TEST(CornerClassification, ExactMinimumAgreesWithBruteForce)
     ForEachAssignment(angles,
       [&](const std::vector<int>&, double energy, int sum)
       {
-        minimum = std::min(minimum, energy + Interior * std::abs(4 - sum));
+        minimum = std::min(minimum, energy + QuarterInside * std::abs(4 - sum));
         if (sum == 4)
         {
           minimumBalanced = std::min(minimumBalanced, energy);
@@ -171,7 +171,7 @@ TEST(CornerClassification, ExactMinimumAgreesWithBruteForce)
       energy += corner.energy;
     }
     EXPECT_EQ(result.interiorQuarters, 4 - sum);
-    EXPECT_NEAR(result.energy, energy + Interior * std::abs(4 - sum), 1e-12 * (1.0 + energy));
+    EXPECT_NEAR(result.energy, energy + QuarterInside * std::abs(4 - sum), 1e-12 * (1.0 + energy));
 
     // The scenario rule of the paper agrees: every feasible scenario is optimal.
     bool any = false;
@@ -221,7 +221,7 @@ TEST(CornerClassification, TiesAgreeWithBruteForce)
     ForEachAssignment(angles,
       [&](const std::vector<int>& indices, double energy, int sum)
       {
-        if (energy + Interior * std::abs(4 - sum) < result.energy + 1e-9)
+        if (energy + QuarterInside * std::abs(4 - sum) < result.energy + 1e-9)
         {
           for (std::size_t i = 0; i < indices.size(); ++i)
           {
@@ -261,7 +261,7 @@ TEST(CornerClassification, KeepsOverridesAndOptimisesTheOthers)
       {
         if (indices[1] == index)
         {
-          minimum = std::min(minimum, energy + Interior * std::abs(4 - sum));
+          minimum = std::min(minimum, energy + QuarterInside * std::abs(4 - sum));
         }
       });
     EXPECT_NEAR(result.energy, minimum, 1e-9 * (1.0 + minimum));
