@@ -115,7 +115,7 @@ int vtkBoundaryCornerClassifier::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain, this);
       progress.Report(0.5);
       crossfield::ClassificationOptions options;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);

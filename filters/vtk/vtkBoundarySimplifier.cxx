@@ -5,6 +5,7 @@
 #include "CurveConversion.h"
 #include "DomainConversion.h"
 #include "DrilledMeshConversion.h"
+#include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
@@ -41,6 +42,29 @@ vtkStandardNewMacro(vtkBoundarySimplifier);
 
 namespace
 {
+/** A part of a domain, with its sides and curves, before and after simplification. */
+struct SimplePart
+{
+  DomainConversion::Domain given;
+  DomainConversion::Domain simple;
+  crossfield::BoundarySides sides;
+  crossfield::CurvedBoundary boundary;
+  double moved = 0.0;
+
+  bool IsChanged() const { return this->simple.domain.loops != this->given.domain.loops; }
+};
+
+/** Properties of the filter. */
+struct Options
+{
+  double meshSize = 0.0;
+  double thinning = -1.0;
+  double smoothing = 0.0;
+  double cornerAngle = 0.0; ///< In radians.
+  std::vector<std::pair<std::string, double>> sideSizes;
+  std::vector<std::string> keptSides;
+};
+
 int CountPoints(const crossfield::PlanarDomain& domain)
 {
   int count = 0;
@@ -49,6 +73,13 @@ int CountPoints(const crossfield::PlanarDomain& domain)
     count += static_cast<int>(loop.size());
   }
   return count;
+}
+
+/** Returns whether lines can be written to data of this type. */
+bool CanHaveLines(vtkDataSet* data)
+{
+  return vtkPolyData::SafeDownCast(data) != nullptr ||
+    vtkUnstructuredGrid::SafeDownCast(data) != nullptr;
 }
 
 bool HasSurfaceWithArrays(vtkDataSet* input)
@@ -61,31 +92,6 @@ bool HasSurfaceWithArrays(vtkDataSet* input)
       type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL;
   }
   return hasSurface && input->GetPointData()->GetNumberOfArrays() > 0;
-}
-
-/** Writes the positions of the corners that the new boundary does not have. */
-void WriteRemovedCorners(const DomainConversion::Domain& given,
-  const DomainConversion::Domain& simple, double cornerAngle, vtkDataSet* output)
-{
-  const double rounding = 1e-9 * given.domain.Diagonal();
-  const std::vector<crossfield::Corner> after =
-    crossfield::FindCorners(simple.domain.loops, cornerAngle);
-  vtkNew<vtkDoubleArray> removed;
-  removed->SetName(vtkCrossFieldArrayNames::BoundaryRemovedCorners);
-  removed->SetNumberOfComponents(3);
-  for (const crossfield::Corner& corner : crossfield::FindCorners(given.domain.loops, cornerAngle))
-  {
-    if (std::none_of(after.begin(), after.end(),
-          [&](const crossfield::Corner& other)
-          { return (other.position - corner.position).norm() <= rounding; }))
-    {
-      removed->InsertNextTuple(given.plane.ToSpace(corner.position).data());
-    }
-  }
-  if (removed->GetNumberOfTuples() > 0)
-  {
-    output->GetFieldData()->AddArray(removed);
-  }
 }
 
 /** Copies the input to the output, without the field data of an earlier simplification. */
@@ -147,12 +153,27 @@ std::vector<crossfield::Point> WithPointsOf(const crossfield::CurvedBoundary& bo
   return kept;
 }
 
-/** Names of the sides of a boundary and the array that they were read from. */
-struct NamedSides
+/** Returns the curves that are declared for sides of a part. Throws crossfield::Error if no part has one of the sides. */
+crossfield::CurveRequest RequestFor(std::size_t part,
+  const std::vector<crossfield::BoundarySides>& sides, crossfield::CurveRequest request)
 {
-  std::string array; ///< Empty: the boundary has no names.
-  crossfield::BoundarySides sides;
-};
+  std::vector<std::string> names;
+  for (const crossfield::BoundarySides& ofPart : sides)
+  {
+    names.insert(names.end(), ofPart.names.begin(), ofPart.names.end());
+  }
+  std::vector<crossfield::CurveDeclaration> here;
+  for (const crossfield::CurveDeclaration& declaration : request.declared)
+  {
+    crossfield::RequireSide(names, declaration.side);
+    if (sides[part].Find(declaration.side) >= 0)
+    {
+      here.push_back(declaration);
+    }
+  }
+  request.declared = std::move(here);
+  return request;
+}
 
 /** Bounds the lengths of thinning of loops by the sizes at their sides. */
 void ShortenFor(const std::vector<std::pair<std::string, double>>& sizes,
@@ -198,57 +219,124 @@ std::vector<crossfield::Point> PointsOf(const std::vector<std::string>& names,
   return points;
 }
 
-/**
- * Writes one polyline per loop, or per piece of a side or a curve, with the arrays of the nearest
- * points of the input.
- */
-void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
-  const crossfield::CurvedBoundary& boundary, vtkDataSet* input, vtkDataSet* output)
+/** Returns the points of the input at which the boundary is kept. */
+std::vector<crossfield::Point> KeptPoints(
+  vtkInformationVector* inputs, const crossfield::DomainPlane& plane)
 {
-  std::vector<crossfield::LoopArc> arcs;
-  for (const crossfield::Loop& loop : domain.domain.loops)
+  std::vector<crossfield::Point> kept;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
-    arcs.emplace_back(loop);
+    vtkDataSet* points = vtkDataSet::GetData(inputs, i);
+    for (vtkIdType p = 0; points != nullptr && p < points->GetNumberOfPoints(); ++p)
+    {
+      InputCheck::RequireFinite(points->GetPoint(p), p);
+      kept.push_back(plane.ToPlane(Eigen::Vector3d(points->GetPoint(p))));
+    }
   }
-  const crossfield::SidesAlong along(named.sides, arcs);
+  return kept;
+}
+
+/** Thins and smooths a part, except at points to keep, ends of sides and curves. */
+void Simplify(const Options& options, std::vector<crossfield::Point> kept, SimplePart& part)
+{
+  const crossfield::PlanarDomain& given = part.given.domain;
+  for (const std::vector<crossfield::Point>& more :
+    { part.sides.FixedPlaces(), PointsOf(options.keptSides, part.sides, given) })
+  {
+    kept.insert(kept.end(), more.begin(), more.end());
+  }
+  for (const crossfield::CurveStart& start : part.boundary.starts)
+  {
+    kept.push_back(start.place);
+  }
+  const double thinning = options.thinning >= 0.0
+    ? options.thinning
+    : crossfield::DefaultThinning(given, options.meshSize);
+  if (thinning > 0.0)
+  {
+    std::vector<double> lengths(given.loops.size(), thinning);
+    if (options.thinning < 0.0 && !options.sideSizes.empty())
+    {
+      ShortenFor(options.sideSizes, part.sides, given, lengths);
+    }
+    crossfield::SimplifiedBoundary thin =
+      crossfield::ThinLoops(given, lengths, kept, options.cornerAngle);
+    part.simple.domain = thin.domain;
+    part.moved += thin.moved;
+  }
+  if (options.smoothing > 0.0)
+  {
+    crossfield::SimplifiedBoundary smooth =
+      crossfield::SmoothBoundary(part.simple.domain, options.smoothing,
+        WithPointsOf(part.boundary, part.simple.domain, kept), options.cornerAngle);
+    part.simple.domain = smooth.domain;
+    part.moved += smooth.moved;
+  }
+}
+
+/** Adds one polyline per loop of a part, or per piece of a side or a curve. `names` is absent if sides have no names. */
+void AddLoops(const SimplePart& part, vtkPoints* points, vtkCellArray* lines, vtkStringArray* names,
+  CurveConversion::CellCurves& cellCurves)
+{
+  const std::vector<crossfield::Loop>& loops = part.simple.domain.loops;
+  const std::vector<crossfield::LoopArc> arcs(loops.begin(), loops.end());
+  const crossfield::SidesAlong along(part.sides, arcs);
+  const auto middle = [&](std::size_t loop, std::size_t segment)
+  { return 0.5 * (arcs[loop].Start(segment) + arcs[loop].Start(segment + 1)); };
   const auto nameAt = [&](std::size_t loop, std::size_t segment)
   {
-    const int side =
-      along.At(loop, 0.5 * (arcs[loop].Start(segment) + arcs[loop].Start(segment + 1)));
-    return side < named.sides.given ? named.sides.names[side] : std::string();
+    const int side = along.At(loop, middle(loop, segment));
+    return side < part.sides.given ? part.sides.names[side] : std::string();
   };
-  const crossfield::CurvesAlong curvesAlong(boundary, arcs);
-  const auto curveAt = [&](std::size_t loop, std::size_t segment) {
-    return curvesAlong.At(loop, 0.5 * (arcs[loop].Start(segment) + arcs[loop].Start(segment + 1)));
+  const crossfield::CurvesAlong curvesAlong(part.boundary, arcs);
+  const auto first = static_cast<int>(cellCurves.curves.size());
+  const auto curveAt = [&](std::size_t loop, std::size_t segment)
+  {
+    const int curve = curvesAlong.At(loop, middle(loop, segment));
+    return curve < 0 ? -1 : first + curve;
   };
-  CurveConversion::CellCurves cellCurves{ boundary.curves, {} };
-  vtkNew<vtkStringArray> sideNames;
-  sideNames->SetName(named.array.c_str());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
+  cellCurves.curves.insert(
+    cellCurves.curves.end(), part.boundary.curves.begin(), part.boundary.curves.end());
   for (std::size_t l = 0; l < arcs.size(); ++l)
   {
-    const crossfield::Loop& loop = domain.domain.loops[l];
-    const vtkIdType first = points->GetNumberOfPoints();
+    const vtkIdType start = points->GetNumberOfPoints();
     std::vector<vtkIdType> piece;
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (std::size_t i = 0; i < loops[l].size(); ++i)
     {
-      piece.push_back(points->InsertNextPoint(domain.plane.ToSpace(loop[i]).data()));
-      const bool isLast = i + 1 == loop.size();
-      if (isLast || (!named.array.empty() && nameAt(l, i) != nameAt(l, i + 1)) ||
+      piece.push_back(points->InsertNextPoint(part.simple.plane.ToSpace(loops[l][i]).data()));
+      const bool isLast = i + 1 == loops[l].size();
+      if (isLast || (names != nullptr && nameAt(l, i) != nameAt(l, i + 1)) ||
         curveAt(l, i) != curveAt(l, i + 1))
       {
-        piece.push_back(isLast ? first : points->GetNumberOfPoints());
+        piece.push_back(isLast ? start : points->GetNumberOfPoints());
         lines->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
-        if (!named.array.empty())
+        if (names != nullptr)
         {
-          sideNames->InsertNextValue(nameAt(l, i));
+          names->InsertNextValue(nameAt(l, i));
         }
         cellCurves.ofCell.push_back(curveAt(l, i));
         piece.clear();
       }
     }
+  }
+}
+
+/**
+ * Writes the loops of all parts with the arrays of the nearest points of the input, and the array of the names of sides
+ * unless that has no name.
+ */
+void WriteLoops(const std::vector<SimplePart>& parts, const std::string& array, vtkDataSet* input,
+  vtkDataSet* output)
+{
+  vtkNew<vtkStringArray> sideNames;
+  sideNames->SetName(array.c_str());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  CurveConversion::CellCurves cellCurves;
+  for (const SimplePart& part : parts)
+  {
+    AddLoops(part, points, lines, array.empty() ? nullptr : sideNames.Get(), cellCurves);
   }
   if (auto* curves = vtkPolyData::SafeDownCast(output))
   {
@@ -261,14 +349,51 @@ void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
     grid->SetCells(VTK_POLY_LINE, lines);
   }
   CopyNearestArrays(input, points, output->GetPointData());
-  if (!named.array.empty())
+  if (!array.empty())
   {
     output->GetCellData()->AddArray(sideNames);
   }
   SegmentCurveConversion::RemoveCurves(output);
-  if (!boundary.IsEmpty())
+  if (std::any_of(
+        cellCurves.ofCell.begin(), cellCurves.ofCell.end(), [](int curve) { return curve >= 0; }))
   {
     CurveConversion::AddCurves(cellCurves, output);
+  }
+}
+
+/** Writes how far points moved, the numbers of points, and the positions of the corners that the new boundary does not have. */
+void WriteChanges(const std::vector<SimplePart>& parts, double cornerAngle, vtkDataSet* output)
+{
+  namespace names = vtkCrossFieldArrayNames;
+  double moved = 0.0;
+  std::vector<int> counts(2);
+  vtkNew<vtkDoubleArray> removed;
+  removed->SetName(names::BoundaryRemovedCorners);
+  removed->SetNumberOfComponents(3);
+  for (const SimplePart& part : parts)
+  {
+    moved = std::max(moved, part.moved);
+    counts[0] += CountPoints(part.given.domain);
+    counts[1] += CountPoints(part.simple.domain);
+    const double rounding = 1e-9 * part.given.domain.Diagonal();
+    const std::vector<crossfield::Corner> after =
+      crossfield::FindCorners(part.simple.domain.loops, cornerAngle);
+    for (const crossfield::Corner& corner :
+      crossfield::FindCorners(part.given.domain.loops, cornerAngle))
+    {
+      if (std::none_of(after.begin(), after.end(),
+            [&](const crossfield::Corner& other)
+            { return (other.position - corner.position).norm() <= rounding; }))
+      {
+        removed->InsertNextTuple(part.given.plane.ToSpace(corner.position).data());
+      }
+    }
+  }
+  ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
+  ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints, counts);
+  if (removed->GetNumberOfTuples() > 0)
+  {
+    output->GetFieldData()->AddArray(removed);
   }
 }
 }
@@ -300,80 +425,49 @@ int vtkBoundarySimplifier::RequestData(
     [&](const crossfield::Progress& progress)
     {
       InputCheck::Require(whole);
+      const bool isRequested = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
+      if ((isRequested || !this->Part.empty()) && !CanHaveLines(whole))
+      {
+        throw crossfield::Error(
+          "The boundary of structured data has no lines to simplify or select; use Extract Surface first.");
+      }
       const vtkSmartPointer<vtkDataSet> part =
         PartSelection::Select(whole, this->Part, this->SideNameArray);
       vtkDataSet* input = part;
       const crossfield::CurveRequest request = SideText::ReadCurves(this->Curves);
-      const bool isRequested = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
       if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr ||
         (!isRequested &&
-          ((this->ThinningLength == 0.0 && request.IsEmpty()) || HasSurfaceWithArrays(input))))
+          ((this->ThinningLength == 0.0 && request.IsEmpty()) || HasSurfaceWithArrays(input) ||
+            !CanHaveLines(input))))
       {
         PassThrough(input, output);
         return;
       }
-      const DomainConversion::Domain given = DomainConversion::ReadDomain(input);
-      std::vector<crossfield::Point> kept;
-      for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
+      const std::vector<DomainConversion::Domain> given = DomainConversion::ReadParts(input, this);
+      const std::string array = SideConversion::FindArray(input, this->SideNameArray);
+      const std::vector<crossfield::BoundarySides> sides =
+        SideConversion::ReadSides(input, this->SideNameArray, given);
+      std::vector<SimplePart> parts;
+      for (std::size_t p = 0; p < given.size(); ++p)
       {
-        vtkDataSet* points = vtkDataSet::GetData(inputVector[1], i);
-        for (vtkIdType p = 0; points != nullptr && p < points->GetNumberOfPoints(); ++p)
-        {
-          InputCheck::RequireFinite(points->GetPoint(p), p);
-          kept.push_back(given.plane.ToPlane(Eigen::Vector3d(points->GetPoint(p))));
-        }
-      }
-      NamedSides named;
-      named.array = SideConversion::FindArray(input, this->SideNameArray);
-      if (!named.array.empty())
-      {
-        named.sides = SideConversion::ReadSides(input, this->SideNameArray, given);
-        const std::vector<crossfield::Point> ends = named.sides.FixedPlaces();
-        kept.insert(kept.end(), ends.begin(), ends.end());
-      }
-      const crossfield::BoundarySides sides =
-        named.array.empty() ? crossfield::NameSides(given.domain) : named.sides;
-      if (!this->KeptSides.empty())
-      {
-        const std::vector<crossfield::Point> points =
-          PointsOf(this->KeptSides, sides, given.domain);
-        kept.insert(kept.end(), points.begin(), points.end());
-      }
-      const crossfield::CurvesOfSegments curves = crossfield::FindCurves(
-        given.domain, sides, request, SegmentCurveConversion::Read(input, given));
-      const crossfield::CurvedBoundary boundary = crossfield::PiecesOf(given.domain, curves);
-      for (const crossfield::CurveStart& start : boundary.starts)
-      {
-        kept.push_back(start.place);
+        parts.push_back({ given[p], given[p], sides[p], {}, 0.0 });
+        const crossfield::CurvesOfSegments curves = crossfield::FindCurves(given[p].domain,
+          sides[p], RequestFor(p, sides, request), SegmentCurveConversion::Read(input, given[p]));
+        parts.back().boundary = crossfield::PiecesOf(given[p].domain, curves);
       }
       progress.Report(0.5);
-      const double thinning = this->ThinningLength >= 0.0
-        ? this->ThinningLength
-        : crossfield::DefaultThinning(given.domain, this->MeshSize);
-      const double cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
-      DomainConversion::Domain simple = given;
-      double moved = 0.0;
-      if (thinning > 0.0)
+      const Options options{ this->MeshSize, this->ThinningLength, this->SmoothingLength,
+        vtkMath::RadiansFromDegrees(this->CornerAngle), this->SideSizes, this->KeptSides };
+      const std::vector<crossfield::Point> kept = KeptPoints(inputVector[1], given[0].plane);
+      bool isChanged = false;
+      bool hasCurves = false;
+      for (SimplePart& one : parts)
       {
-        std::vector<double> lengths(given.domain.loops.size(), thinning);
-        if (this->ThinningLength < 0.0 && !this->SideSizes.empty())
-        {
-          ShortenFor(this->SideSizes, sides, given.domain, lengths);
-        }
-        crossfield::SimplifiedBoundary thin =
-          crossfield::ThinLoops(simple.domain, lengths, kept, cornerAngle);
-        simple.domain = thin.domain;
-        moved += thin.moved;
+        Simplify(options, kept, one);
+        isChanged = isChanged || one.IsChanged();
+        hasCurves = hasCurves || !one.boundary.IsEmpty();
       }
-      if (this->SmoothingLength > 0.0)
-      {
-        crossfield::SimplifiedBoundary smooth = crossfield::SmoothBoundary(simple.domain,
-          this->SmoothingLength, WithPointsOf(boundary, simple.domain, kept), cornerAngle);
-        simple.domain = smooth.domain;
-        moved += smooth.moved;
-      }
-      const bool isChanged = simple.domain.loops != given.domain.loops;
-      if (!isChanged && (request.IsEmpty() || boundary.IsEmpty()))
+      if (!isChanged && (request.IsEmpty() || !hasCurves))
       {
         PassThrough(input, output);
         return;
@@ -384,16 +478,11 @@ int vtkBoundarySimplifier::RequestData(
       {
         vtkWarningMacro(<< warning);
       }
-      WriteLoops(simple, named, boundary, input, output);
-      if (!isChanged)
+      WriteLoops(parts, array, input, output);
+      if (isChanged)
       {
-        return;
+        WriteChanges(parts, options.cornerAngle, output);
       }
-      namespace names = vtkCrossFieldArrayNames;
-      ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
-      ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints,
-        { CountPoints(given.domain), CountPoints(simple.domain) });
-      WriteRemovedCorners(given, simple, cornerAngle, output);
     });
 }
 

@@ -50,7 +50,7 @@ public:
   ///@{
   /**
    * Sets the part of a domain of several parts that the output has: "largest", a number from 1 for the largest,
-   * or the name of a side that one part alone has. Default: empty; several parts are then an error.
+   * or the name of a side that one part alone has. Default: empty, all parts.
    */
   vtkSetMacro(Part, std::string);
   vtkGetMacro(Part, std::string);

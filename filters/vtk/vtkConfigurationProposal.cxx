@@ -51,7 +51,7 @@ int vtkConfigurationProposal::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain, this);
       crossfield::AutomaticOptions automatic;
       automatic.optimizer.clearance = this->Clearance;
       automatic.optimizer.keepAll = this->KeepAll;

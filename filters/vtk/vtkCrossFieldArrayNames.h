@@ -158,6 +158,8 @@ constexpr const char* SweepLayers = "SweepLayers";
 constexpr const char* Hexahedra = "Hexahedra";
 // Points, cells and field data: vtkQuadMesher.
 constexpr const char* BlockId = "BlockId";
+constexpr const char* Part = "Part";
+constexpr const char* Parts = "Parts";
 constexpr const char* I = "I";
 constexpr const char* J = "J";
 constexpr const char* K = "K";

@@ -246,7 +246,7 @@ public:
 
   void AddQuads()
   {
-    this->Add({ names::Quads, names::Blocks,
+    this->Add({ names::Quads, names::Blocks, names::Parts,
       { "scaled_jacobian", names::ScaledJacobianRange, { "min", "mean" } },
       { "eta", names::EtaRange, { "min", "mean" } },
       { "sizes", names::SizeRange, { "min", "mean", "max" } }, names::SizeVariation,

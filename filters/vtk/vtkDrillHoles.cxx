@@ -44,7 +44,7 @@ int vtkDrillHoles::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain, this);
       const crossfield::Configuration configuration = ConfigurationConversion::ReadConfiguration(
         FilterPorts::RequireSingularities(inputVector[1], "Singularities"), input.plane);
       crossfield::DrillOptions options;

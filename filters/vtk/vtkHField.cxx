@@ -69,7 +69,7 @@ int vtkHField::RequestData(
       }
       else
       {
-        const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+        const DomainConversion::Domain input = DomainConversion::ReadDomain(domain, this);
         configuration = ConfigurationConversion::ReadConfiguration(singularities, input.plane);
         cells = DrilledMeshConversion::NumberCells(
           crossfield::ShareTopology(crossfield::MeshForPoints(

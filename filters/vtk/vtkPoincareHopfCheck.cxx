@@ -71,11 +71,12 @@ std::string DescribeCaps(std::size_t corners, int uncapped)
     " (CapCorners, --no-cap-corners).";
 }
 
-Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* corners,
-  double cornerAngle, bool cap, bool holonomy, const crossfield::Progress& progress)
+Findings CheckConfiguration(vtkObject* self, vtkDataSet* input, vtkDataSet* singularities,
+  vtkDataSet* corners, double cornerAngle, bool cap, bool holonomy,
+  const crossfield::Progress& progress)
 {
   Findings result;
-  const auto [domain, plane] = DomainConversion::ReadDomain(input);
+  const auto [domain, plane] = DomainConversion::ReadDomain(input, self);
   std::vector<crossfield::CornerChoice> choices = CornerConversion::ReadCorners(corners, plane);
   const std::size_t given = choices.size();
   const crossfield::PoincareHopfCount uncapped =
@@ -249,10 +250,11 @@ int vtkPoincareHopfCheck::RequestData(
   const auto check = [&](const crossfield::Progress& progress)
   {
     vtkUnstructuredGrid* field = AsField(domain);
-    const Findings findings = field != nullptr ? CheckField(field, corners, progress)
-                                               : CheckConfiguration(domain, singularities, corners,
-                                                   vtkMath::RadiansFromDegrees(this->CornerAngle),
-                                                   this->CapCorners, this->Holonomy, progress);
+    const Findings findings = field != nullptr
+      ? CheckField(field, corners, progress)
+      : CheckConfiguration(this, domain, singularities, corners,
+          vtkMath::RadiansFromDegrees(this->CornerAngle), this->CapCorners, this->Holonomy,
+          progress);
     vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
     output->ShallowCopy(domain);
     WriteFindings(findings, output->GetFieldData());

@@ -8,12 +8,12 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HolonomyConversion.h"
+#include "JoinedParts.h"
 #include "MaterialCheck.h"
 #include "PeriodicConversion.h"
 #include "QuadBoundary.h"
 #include "QuadConversion.h"
 #include "QuadReport.h"
-#include "QuadWorkflow.h"
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SideText.h"
@@ -83,14 +83,20 @@ int vtkQuadMesher::RequestData(
     this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-      crossfield::QuadRequest request =
-        this->MakeRequest(domain, singularities, corners, input.plane);
-      request.sides = SideConversion::ReadSides(domain, this->SideNameArray, input);
-      this->PrescribeSides(vtkTable::GetData(inputVector[SidePort]), input.plane, request);
-      request.givenCurves = SegmentCurveConversion::Read(domain, input);
+      const std::vector<DomainConversion::Domain> input = DomainConversion::ReadParts(domain, this);
+      const crossfield::DomainPlane& plane = input[0].plane;
+      const std::vector<crossfield::BoundarySides> sides =
+        SideConversion::ReadSides(domain, this->SideNameArray, input);
+      std::vector<crossfield::DomainPart> parts;
+      for (std::size_t p = 0; p < input.size(); ++p)
+      {
+        parts.push_back(
+          { input[p].domain, sides[p], SegmentCurveConversion::Read(domain, input[p]) });
+      }
+      crossfield::QuadRequest request = this->MakeRequest(domain, singularities, corners, plane);
+      this->PrescribeSides(vtkTable::GetData(inputVector[SidePort]), plane, request);
       crossfield::QuadWorkflowResult result =
-        crossfield::MakeQuadMesh(input.domain, request, progress);
+        crossfield::MakeQuadsOfParts(parts, request, progress);
       const std::string materials = MaterialCheck::Warning(domain);
       if (!materials.empty())
       {
@@ -100,7 +106,7 @@ int vtkQuadMesher::RequestData(
       {
         vtkWarningMacro(<< warning);
       }
-      this->WriteOutputs(result, input.plane, outputVector);
+      this->WriteOutputs(result, plane, outputVector);
     },
     [&](const char* message)
     {
@@ -187,6 +193,8 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   const crossfield::QuadMesh& mesh = result.quads.mesh;
   QuadConversion::WriteQuads(result.quads, plane, vtkUnstructuredGrid::GetData(outputVector, 0));
   QuadConversion::WriteBlocks(result.quads, plane, vtkMultiBlockDataSet::GetData(outputVector, 1));
+  QuadConversion::WriteParts(result, vtkUnstructuredGrid::GetData(outputVector, 0),
+    vtkMultiBlockDataSet::GetData(outputVector, 1));
   QuadConversion::WriteLayout(result.quads, plane, vtkPolyData::GetData(outputVector, 2));
 
   vtkPolyData* singularities = vtkPolyData::GetData(outputVector, 3);
@@ -220,6 +228,8 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   {
     HolonomyConversion::WriteRepair(*result.repair, plane, report);
   }
+  ColumnWriting::AddIntegers(report, vtkCrossFieldArrayNames::Parts,
+    { *std::max_element(result.part.begin(), result.part.end()) + 1 });
   QuadReport::WriteBlockCounts(result.blocks, report);
   QuadReport::WriteLayers(result.layers, report);
   QuadReport::WriteCurves(result, report);

@@ -23,12 +23,13 @@
  *
  * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, with
  * - cells: `BlockId`, `I`, `J` (int): block, column and row; `ScaledJacobian` (double): the minimum
- *   sine of the angles of a quad; `SizeRatio` (double): actual over target size;
+ *   sine of the angles of a quad; `SizeRatio` (double): actual over target size; `Part` (int): part of
+ *   the domain;
  * - points: `Valence` (int): number of quads at the node; `Irregular` (int): the quarter index of a
  *   singularity or corner, else 0; `BoundarySide` (int): number of the boundary loop, −1 inside.
  *
- * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block with the cell array
- * `BlockId`; shared points are equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
+ * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block with the cell arrays
+ * `BlockId` and `Part`; shared points are equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
  * `NeighbourBlock` (the adjacent block, −1: the boundary), `NeighbourSide` (the adjacent side of
  * that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
  * same order; −1: the reversed order; 0: boundary), and `SideName` (string): the name of the

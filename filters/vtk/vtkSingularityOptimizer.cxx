@@ -46,7 +46,7 @@ int vtkSingularityOptimizer::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain, this);
       vtkDataSet* singularities =
         FilterPorts::RequireSingularities(inputVector[1], "Singularities");
       crossfield::OptimizerOptions options;

@@ -125,8 +125,8 @@ std::vector<Row> DefaultRows()
 RowTable FitRows(vtkDataSet* domain, const crossfield::Progress& progress)
 {
   RowTable table;
-  for (const crossfield::Singularity& singularity :
-    crossfield::SpreadConfiguration(DomainConversion::ReadDomain(domain).domain, {}, progress))
+  for (const crossfield::Singularity& singularity : crossfield::SpreadConfiguration(
+         DomainConversion::ReadDomain(domain, nullptr).domain, {}, progress))
   {
     table.rows.push_back({ singularity.position.x(), singularity.position.y(),
       static_cast<double>(singularity.quarterIndex), singularity.radius });

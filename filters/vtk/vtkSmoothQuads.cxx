@@ -59,7 +59,9 @@ void AddRange(vtkFieldData* data, const char* name, const crossfield::Range& ran
 //------------------------------------------------------------------------------
 int vtkSmoothQuads::FillInputPortInformation(int, vtkInformation* info)
 {
-  return FilterPorts::AcceptDomain(info);
+  FilterPorts::AcceptMesh(info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -88,6 +88,11 @@ void Print(vtkUnstructuredGrid* quads)
 {
   vtkNew<vtkCrossFieldReport> report;
   report->SetSource("data", quads);
+  const double parts = FieldValue(quads, names::Parts);
+  if (parts > 1.0)
+  {
+    std::cout << parts << " parts: ";
+  }
   std::cout << FieldValue(quads, names::Quads) << " quads in " << FieldValue(quads, names::Blocks)
             << " blocks, irregular nodes by valence "
             << nlohmann::ordered_json::parse(report->Write("quads"))["irregular"]

@@ -100,7 +100,6 @@ class Drawings(ProgramTest):
             "open": (plate()[1:], "is open at", "missing part"),
             "junction": (plate() + [line((0, 0), (1, 0.2))], "ore than two curves"),
             "stub": (plate() + [line((2, 0), (2, 1))], "ends on the LINE"),
-            "apart": (plate() + [circle((9, 9), 1)], "outer"),
             "crossing": (plate()[:4] + [circle((0, 1), 0.5)], ""),
             "touching": (plate()[:4] + [circle((0.5, 1), 0.5)], ""),
             "nothing": ([("TEXT", 10, 0, 20, 0, 1, "x")], "1 TEXT"),
@@ -118,7 +117,13 @@ class Drawings(ProgramTest):
     def test_parts_and_layers_are_chosen(self):
         self.write("plates.dxf", dxf(plate() + [circle((9, 9), 1), line((20, 0), (21, 0), "pin"), line((21, 0), (20, 1), "pin"),
                                                 line((20, 1), (20, 0), "pin")]))
-        self.refuse("quads", "plates.dxf", "-o", "a.vtu", says=["3 parts", "--part"])
+        self.refuse("check", "plates.dxf", says=["3 parts", "--part"])
+        whole = json.loads(self.succeed("quads", "plates.dxf", "-o", "a.vtu", "--quads", "900", "--json", "-"))
+        self.assertEqual(whole["parts"], 3)
+        self.assertLess(abs(whole["quads"] - 900), 90)
+        self.assertIn("pin", [side["name"] for side in whole["sides"]])
+        self.refuse("quads", "plates.dxf", "-o", "b.vtu", "--count", "pin:2", "--size", "0.3",
+                    says=["Part 3 of 3 of the domain, the largest is number 1: ", "pin:2"])
         areas = []
         for part in ("largest", "1", "2", "3", "pin"):
             report = json.loads(self.succeed("quads", "plates.dxf", "-o", "a.vtu", "--quads", "100", "--json", "-", "--part", part))

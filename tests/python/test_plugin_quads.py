@@ -220,7 +220,7 @@ def test_quad_mesher_for_a_first_user():
     shown = Show(mesher, CreateView("RenderView")).SMProxy.GetProperty("ColorArrayName")
     choice = shown.FindDomain("vtkSMArrayListDomain")
     check_equal([choice.GetString(i) for i in range(choice.GetNumberOfStrings())],
-                ["BoundarySide", "Irregular", "Valence", "BlockId", "I", "J", "ScaledJacobian", "SizeRatio"], "the colours")
+                ["BoundarySide", "Irregular", "Valence", "BlockId", "I", "J", "ScaledJacobian", "SizeRatio", "Part"], "the colours")
     text = report.GetValueByName(0, "Summary").ToString().replace("\n", " ")
     check("%d quads in 5 blocks" % quads.GetNumberOfCells() in text and "4 of valence 3" in text, "the text: " + text)
     boundary, nodes = (servermanager.Fetch(mesher, idx=port) for port in (5, 6))

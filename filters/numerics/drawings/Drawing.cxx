@@ -40,6 +40,16 @@ void TransformConic(const AffineMap& map, DrawingPiece& piece)
 }
 }
 
+void Drawing::FindPlane(const Eigen::Matrix3Xd& points)
+{
+  this->plane = DomainPlane::Find(points);
+  const std::string warning = this->plane.FlatteningWarning();
+  if (!warning.empty())
+  {
+    this->warnings.push_back(warning);
+  }
+}
+
 DrawingPiece LinePiece(const Point& first, const Point& last)
 {
   DrawingPiece piece;

@@ -35,6 +35,9 @@ struct Drawing
   std::string unit; ///< Unit of the coordinates, such as "mm"; empty if the file has none.
   std::vector<std::string> warnings; ///< One sentence each.
   DomainPlane plane;                 ///< Of the coordinates.
+
+  /// Sets the plane, that of points, with a warning if it flattens them. Throws Error as DomainPlane::Find does.
+  void FindPlane(const Eigen::Matrix3Xd& points);
 };
 
 /// Returns a piece that is a straight line.

@@ -335,7 +335,7 @@ private:
       columns.col(static_cast<Eigen::Index>(i)) = *places[i];
     }
     Drawing drawing;
-    drawing.plane = DomainPlane::Find(columns);
+    drawing.FindPlane(columns);
     for (const Edge* edge : used)
     {
       this->AddPieces(*edge, drawing);

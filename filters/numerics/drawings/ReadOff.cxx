@@ -68,7 +68,7 @@ Drawing ReadOff(std::string_view text, const std::string& file)
     throw Error("The mesh '" + file + "' has no boundary; give a planar mesh.");
   }
   Drawing drawing;
-  drawing.plane = DomainPlane::Find(used);
+  drawing.FindPlane(used);
   for (const auto& [from, to] : boundary)
   {
     DrawingPiece piece =

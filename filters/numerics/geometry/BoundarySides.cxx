@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace crossfield
@@ -58,9 +59,11 @@ std::string ListOf(const std::vector<std::string>& names)
 class Namer
 {
 public:
-  Namer(const PlanarDomain& domain, const SegmentNames& names)
+  Namer(
+    const PlanarDomain& domain, const SegmentNames& names, const std::vector<std::string>& taken)
     : Domain(domain)
     , Names(names)
+    , Taken(taken.begin(), taken.end())
     , Order(OrderOfLoops(domain.loops))
   {
     for (const std::size_t l : this->Order)
@@ -130,13 +133,14 @@ private:
     {
       generated =
         loop == 0 ? "outer" + std::to_string(this->Outer++) : "hole" + std::to_string(this->Hole++);
-    } while (this->Sides.Find(generated) >= 0);
+    } while (this->Sides.Find(generated) >= 0 || this->Taken.count(generated) > 0);
     this->Sides.names.push_back(generated);
     return static_cast<int>(this->Sides.names.size()) - 1;
   }
 
   const PlanarDomain& Domain;
   const SegmentNames& Names;
+  const std::set<std::string> Taken;
   const std::vector<std::size_t> Order; ///< Loops in the order of their names.
   BoundarySides Sides;
   int Outer = 0; ///< Number of the next generated name on the outer loop.
@@ -176,9 +180,10 @@ std::vector<Point> BoundarySides::FixedPlaces() const
 }
 
 //------------------------------------------------------------------------------
-BoundarySides NameSides(const PlanarDomain& domain, const SegmentNames& names)
+BoundarySides NameSides(
+  const PlanarDomain& domain, const SegmentNames& names, const std::vector<std::string>& taken)
 {
-  return Namer(domain, names).Run();
+  return Namer(domain, names, taken).Run();
 }
 
 //------------------------------------------------------------------------------

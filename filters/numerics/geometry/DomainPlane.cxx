@@ -58,6 +58,9 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   const Vector3d lower = points.rowwise().minCoeff();
   const Vector3d extent = points.rowwise().maxCoeff() - lower;
   plane.Size = extent.norm();
+  // Surfaces that ParaView's filters cut or smoothed leave their plane by about this much. A result in the plane differs by far
+  // less than the size of an element then.
+  constexpr double MostDeviation = 1e-4;
   // Coordinates stored in single precision have a relative error of 6e-8.
   constexpr double Flatness = 1e-6;
   if (extent.z() <= Flatness * (std::hypot(extent.x(), extent.y()) + std::abs(lower.z())))
@@ -88,17 +91,29 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   plane.Offset = 0.5 * (heights.minCoeff() + heights.maxCoeff());
   const double deviation = 0.5 * (heights.maxCoeff() - heights.minCoeff());
   constexpr auto SinglePrecision = static_cast<double>(std::numeric_limits<float>::epsilon());
-  if (deviation > Flatness * plane.Size + SinglePrecision * reach)
+  if (deviation > MostDeviation * plane.Size)
   {
     throw Error("The domain is not planar: its points are up to " + FormatNumber(deviation) +
       " off the nearest plane and its size is " + FormatNumber(plane.Size) +
       "; give a domain that lies in one plane.");
+  }
+  if (deviation > Flatness * plane.Size + SinglePrecision * reach)
+  {
+    plane.Deviation = deviation;
   }
   if (!isCoordinatePlane)
   {
     plane.Quantum = std::exp2(std::ceil(std::log2(reach)) - 44.0);
   }
   return plane;
+}
+
+std::string DomainPlane::FlatteningWarning() const
+{
+  return this->Deviation == 0.0
+    ? std::string()
+    : "The domain was flattened: its points were up to " + FormatNumber(this->Deviation) +
+      " off its plane, and its size is " + FormatNumber(this->Size) + ".";
 }
 
 Point DomainPlane::ToPlane(const Vector3d& place) const

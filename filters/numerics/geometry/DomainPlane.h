@@ -26,13 +26,16 @@ public:
   /// Finds the plane of points, given as columns: z = const if z varies by no more than single
   /// precision explains, otherwise the least-squares plane.
   ///
-  /// Throws Error, with the deviation, if the points are not coplanar. Points that are not finite
+  /// Throws Error, with the deviation, if the points are farther from the plane than 1e-4 of their size. Points that are not finite
   /// yield z = 0; a mesh or loops of such points are refused elsewhere.
   static DomainPlane Find(const Eigen::Matrix3Xd& points);
 
   /// Returns whether the plane is z = const. The z coordinates of input that belongs to the domain
   /// are then ignored.
   bool IsHorizontal() const { return this->Normal == Eigen::Vector3d::UnitZ(); }
+
+  /// Returns a warning if points are farther from the plane than rounding explains, otherwise an empty text.
+  std::string FlatteningWarning() const;
 
   /// Returns the plane coordinates of the orthogonal projection of a point in space.
   Point ToPlane(const Eigen::Vector3d& place) const;
@@ -52,8 +55,10 @@ private:
   Eigen::Vector3d Axis1 = Eigen::Vector3d::UnitX();
   Eigen::Vector3d Axis2 = Eigen::Vector3d::UnitY();
   Eigen::Vector3d Normal = Eigen::Vector3d::UnitZ();
-  double Offset = 0.0;  ///< Signed distance of the plane from the origin along the normal.
-  double Size = 0.0;    ///< Diagonal of the bounding box of its points.
+  double Offset = 0.0; ///< Signed distance of the plane from the origin along the normal.
+  double Size = 0.0;   ///< Diagonal of the bounding box of its points.
+  double Deviation =
+    0.0; ///< Largest distance of its points from it, if rounding does not explain it.
   double Quantum = 0.0; ///< Unit to which coordinates are rounded; 0 means no rounding.
 };
 }

@@ -12,6 +12,39 @@
 
 namespace crossfield
 {
+namespace
+{
+/// Returns the coordinates of the leftmost point, the lowest if there are several.
+std::tuple<double, double> LeftmostOf(const Loop& loop)
+{
+  std::tuple<double, double> least(loop[0].x(), loop[0].y());
+  for (const Point& point : loop)
+  {
+    least = std::min(least, std::make_tuple(point.x(), point.y()));
+  }
+  return least;
+}
+
+/// Sorts parts by area, the largest first, and those of the same area from left to right. Areas that differ by
+/// less than simplifying a boundary changes them count as the same, so that a part keeps its number.
+void SortBySize(std::vector<PlanarDomain>& parts)
+{
+  constexpr double Difference = 1e-3;
+  std::sort(parts.begin(), parts.end(),
+    [](const PlanarDomain& a, const PlanarDomain& b) { return a.Area() > b.Area(); });
+  const auto isLeft = [](const PlanarDomain& a, const PlanarDomain& b)
+  { return LeftmostOf(a.loops[0]) < LeftmostOf(b.loops[0]); };
+  for (auto begin = parts.begin(); begin != parts.end();)
+  {
+    const double least = (1.0 - Difference) * begin->Area();
+    const auto end = std::find_if(
+      begin, parts.end(), [&](const PlanarDomain& part) { return part.Area() < least; });
+    std::sort(begin, end, isLeft);
+    begin = end;
+  }
+}
+}
+
 std::vector<PlanarDomain> SplitParts(const std::vector<Loop>& loops)
 {
   RequireLoops(loops);
@@ -24,7 +57,11 @@ std::vector<PlanarDomain> SplitParts(const std::vector<Loop>& loops)
       continue;
     }
     std::vector<Loop> ofPart = { loops[outer] };
-    const SegmentSearch enclosed(PlanarDomain{ { loops[outer] } });
+    if (SignedArea(ofPart[0]) < 0.0)
+    {
+      std::reverse(ofPart[0].begin(), ofPart[0].end());
+    }
+    const SegmentSearch enclosed(PlanarDomain{ ofPart });
     for (std::size_t inner = 0; inner < loops.size(); ++inner)
     {
       if (depths[inner] == depths[outer] + 1 && enclosed.SignedDistance(loops[inner].front()) > 0.0)
@@ -34,14 +71,7 @@ std::vector<PlanarDomain> SplitParts(const std::vector<Loop>& loops)
     }
     parts.push_back(MakePlanarDomain(std::move(ofPart)));
   }
-  const auto isBefore = [](const PlanarDomain& a, const PlanarDomain& b)
-  {
-    const Point& first = a.loops[0][0];
-    const Point& second = b.loops[0][0];
-    return std::make_tuple(-a.Area(), first.x(), first.y()) <
-      std::make_tuple(-b.Area(), second.x(), second.y());
-  };
-  std::sort(parts.begin(), parts.end(), isBefore);
+  SortBySize(parts);
   return parts;
 }
 

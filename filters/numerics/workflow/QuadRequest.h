@@ -116,7 +116,8 @@ struct QuadWorkflowResult
   /// refined; one sentence each.
   std::vector<std::string> events;
   std::vector<AttemptReport> attempts;
-  std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
+  /// Run that chose them; absent if they were given, or the domain has several parts.
+  std::optional<OptimizerResult> optimum;
   std::optional<HolonomyRepair> repair;       ///< If it was requested or necessary.
   std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
   std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
@@ -125,6 +126,7 @@ struct QuadWorkflowResult
   /// valence 2, stretched, inverted or nearly degenerate quads. One sentence each.
   std::vector<std::string> warnings;
   QuadResult quads;
+  std::vector<int> part;           ///< Part of the domain of each quad, from 0 (MakeQuadsOfParts).
   std::vector<LayerReport> layers; ///< One for each layer of the request.
   CurvedBoundary boundary;         ///< The curves that boundary nodes are on.
   std::vector<CurveReport> curves; ///< One for each of these curves.

@@ -5,6 +5,7 @@
 #include "MergedQuads.h"
 #include "MeshForPoints.h"
 #include "NodePositions.h"
+#include "OptimizerReport.h"
 #include "Outcome.h"
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"

@@ -9,7 +9,7 @@ const DomainConversion::Domain& CachedDomain::Read(vtkDataSet* data)
   {
     this->Domain.reset();
     this->Factored = {};
-    this->Domain = DomainConversion::ReadDomain(data);
+    this->Domain = DomainConversion::ReadDomain(data, nullptr);
     this->Data = data;
     this->Time = data->GetMTime();
     ++this->Version;

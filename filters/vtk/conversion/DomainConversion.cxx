@@ -4,11 +4,13 @@
 #include "CellLoop.h"
 #include "CellOutline.h"
 #include "DomainExtent.h"
+#include "DomainParts.h"
 #include "Error.h"
 #include "InputCheck.h"
 #include "MakePlanarDomain.h"
 #include "UsedPoints.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataSet.h"
@@ -149,8 +151,8 @@ vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
   return clean->GetOutput();
 }
 
-/** Throws crossfield::Error if surface cells overlap, which their boundary does not show. */
-void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& covered)
+/** Throws crossfield::Error if surface cells overlap, which the boundary of their parts does not show. */
+void RequireCoveredOnce(vtkPolyData* surface, const std::vector<DomainConversion::Domain>& parts)
 {
   double area = 0.0;
   vtkNew<vtkIdList> cell;
@@ -160,12 +162,18 @@ void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& co
     crossfield::Loop corners;
     for (vtkIdType id : *cell)
     {
-      corners.push_back(covered.plane.ToPlane(Eigen::Vector3d(surface->GetPoint(id))));
+      corners.push_back(parts[0].plane.ToPlane(Eigen::Vector3d(surface->GetPoint(id))));
     }
     area += std::abs(crossfield::SignedArea(corners)); // neighbours may have opposite orientations
   }
-  const double enclosed = covered.domain.Area();
-  const double diagonal = covered.domain.Diagonal();
+  double enclosed = 0.0;
+  for (const DomainConversion::Domain& part : parts)
+  {
+    enclosed += part.domain.Area();
+  }
+  double bounds[6];
+  surface->GetBounds(bounds);
+  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
   // Both sums use the same points and differ only by rounding, far below MergeTolerance. Smaller
   // overlaps are ignored.
   if (std::abs(area - enclosed) > MergeTolerance * diagonal * diagonal)
@@ -174,6 +182,15 @@ void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& co
     text << "The areas of the domain's cells add up to " << area << ", but their boundary encloses "
          << enclosed << "; give a mesh whose cells do not overlap, fold over or cross themselves.";
     throw Error(text.str());
+  }
+}
+
+void WarnOfFlattening(const crossfield::DomainPlane& plane, vtkObject* self)
+{
+  const std::string warning = plane.FlatteningWarning();
+  if (self != nullptr && !warning.empty())
+  {
+    vtkWarningWithObjectMacro(self, << warning);
   }
 }
 
@@ -278,16 +295,34 @@ Boundary ReadLoops(vtkDataSet* input)
 }
 
 //------------------------------------------------------------------------------
-Domain ReadDomain(vtkDataSet* input)
+Domain ReadDomain(vtkDataSet* input, vtkObject* self)
 {
   MergedCells merged = ReadMerged(input);
+  WarnOfFlattening(merged.boundary.plane, self);
   const Domain result{ crossfield::MakePlanarDomain(std::move(merged.boundary.loops)),
     merged.boundary.plane };
   if (merged.cells->GetNumberOfPolys() > 0)
   {
-    RequireCoveredOnce(merged.cells, result);
+    RequireCoveredOnce(merged.cells, { result });
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Domain> ReadParts(vtkDataSet* input, vtkObject* self)
+{
+  const MergedCells merged = ReadMerged(input);
+  WarnOfFlattening(merged.boundary.plane, self);
+  std::vector<Domain> parts;
+  for (crossfield::PlanarDomain& part : crossfield::SplitParts(merged.boundary.loops))
+  {
+    parts.push_back({ std::move(part), merged.boundary.plane });
+  }
+  if (merged.cells->GetNumberOfPolys() > 0)
+  {
+    RequireCoveredOnce(merged.cells, parts);
+  }
+  return parts;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include <vector>
 
 class vtkDataSet;
+class vtkObject;
 class vtkPolyData;
 
 /**
@@ -38,9 +39,13 @@ crossfield::DomainPlane FindPlane(vtkDataSet* input);
 
 /**
  * Reads a domain from lines along its boundary, or from surface cells, which must cover it exactly
- * once. Points closer than 1e-9 of the diagonal of the bounding box are merged.
+ * once. Points closer than 1e-9 of the diagonal of the bounding box are merged. If the domain is flattened
+ * (DomainPlane::FlatteningWarning), `self`, unless it is null, prints the warning.
  */
-Domain ReadDomain(vtkDataSet* input);
+Domain ReadDomain(vtkDataSet* input, vtkObject* self);
+
+/** Reads the parts of a domain (DomainParts.h), one or several, as ReadDomain does. */
+std::vector<Domain> ReadParts(vtkDataSet* input, vtkObject* self);
 
 /** Writes one closed polyline per loop in the plane z = 0. */
 void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output);

@@ -161,7 +161,7 @@ void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredG
   vtkCellData* lines = boundary->GetCellData();
   vtkCellData* to = output->GetCellData();
   to->Initialize();
-  for (const char* name : { names::BlockId, names::I, names::J })
+  for (const char* name : { names::BlockId, names::I, names::J, names::Part })
   {
     Join<vtkIntArray>(from, lines, name, -1, to);
   }
@@ -216,6 +216,24 @@ void WriteBlocks(
       vtkCompositeDataSet::NAME(), ("block" + std::to_string(b)).c_str());
   }
   SideConversion::WriteBlockSides(result, output);
+}
+
+//------------------------------------------------------------------------------
+void WriteParts(const crossfield::QuadWorkflowResult& result, vtkUnstructuredGrid* quads,
+  vtkMultiBlockDataSet* blocks)
+{
+  ColumnWriting::AddIntegers(quads->GetCellData(), names::Part, result.part);
+  std::vector<int> ofBlock(result.quads.blocks.blocks.size());
+  for (std::size_t q = 0; q < result.part.size(); ++q)
+  {
+    ofBlock[static_cast<std::size_t>(result.quads.blocks.block[q])] = result.part[q];
+  }
+  for (unsigned int b = 0; b < blocks->GetNumberOfBlocks(); ++b)
+  {
+    auto* grid = vtkStructuredGrid::SafeDownCast(blocks->GetBlock(b));
+    ColumnWriting::NewArray<vtkIntArray>(
+      grid->GetCellData(), names::Part, 1, grid->GetNumberOfCells(), ofBlock[b]);
+  }
 }
 
 //------------------------------------------------------------------------------

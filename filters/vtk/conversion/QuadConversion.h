@@ -27,6 +27,10 @@ void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredG
 void WriteBlocks(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
   vtkMultiBlockDataSet* output);
 
+/** Adds the part of the domain to the cells of quads and blocks. */
+void WriteParts(const crossfield::QuadWorkflowResult& result, vtkUnstructuredGrid* quads,
+  vtkMultiBlockDataSet* blocks);
+
 /** Writes one polyline per side of a block; a side that two blocks share is written once. */
 void WriteLayout(
   const crossfield::QuadResult& result, const crossfield::DomainPlane& plane, vtkPolyData* output);

@@ -8,6 +8,8 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 
+#include <map>
+
 namespace
 {
 namespace names = vtkCrossFieldArrayNames;
@@ -27,6 +29,7 @@ crossfield::CurvesOfSegments Read(vtkDataSet* input, const DomainConversion::Dom
     return result;
   }
   const auto curveOf = [&](vtkIdType cell) { return read.ofCell[cell]; };
+  std::map<int, int> numbers; // of curves that segments have
   for (const std::vector<vtkIdType>& cells :
     SegmentCells::Find(input, domain, [&](vtkIdType cell) { return curveOf(cell) >= 0; }))
   {
@@ -35,8 +38,24 @@ crossfield::CurvesOfSegments Read(vtkDataSet* input, const DomainConversion::Dom
     {
       result.ofSegment.back().push_back(cell < 0 ? -1 : curveOf(cell));
     }
+    for (const int curve : result.ofSegment.back())
+    {
+      numbers[curve] = -1;
+    }
   }
-  result.curves = std::move(read.curves);
+  numbers.erase(-1);
+  for (auto& [curve, number] : numbers)
+  {
+    number = static_cast<int>(result.curves.size());
+    result.curves.push_back(read.curves[curve]);
+  }
+  for (std::vector<int>& curves : result.ofSegment)
+  {
+    for (int& curve : curves)
+    {
+      curve = curve < 0 ? -1 : numbers[curve];
+    }
+  }
   return result;
 }
 

@@ -56,6 +56,34 @@ private:
   vtkDataArray* Numbers;
 };
 
+/** Returns the names of the segments of a domain, empty without a line that has a name. */
+crossfield::SegmentNames NamesOfSegments(
+  vtkDataSet* input, const std::string& array, const DomainConversion::Domain& domain)
+{
+  const CellNames names(input, array);
+  crossfield::SegmentNames segments;
+  for (const std::vector<vtkIdType>& cells :
+    SegmentCells::Find(input, domain, [&](vtkIdType cell) { return !names.Of(cell).empty(); }))
+  {
+    segments.emplace_back();
+    for (const vtkIdType cell : cells)
+    {
+      segments.back().push_back(cell < 0 ? std::string() : names.Of(cell));
+    }
+  }
+  return segments;
+}
+
+bool IsNamed(const crossfield::SegmentNames& segments)
+{
+  return std::any_of(segments.begin(), segments.end(),
+    [](const std::vector<std::string>& ofLoop)
+    {
+      return std::any_of(
+        ofLoop.begin(), ofLoop.end(), [](const std::string& name) { return !name.empty(); });
+    });
+}
+
 /** Returns the text of a cell of a table; empty for an empty string, 0 and NaN. */
 std::string TextAt(vtkAbstractArray* column, vtkIdType row)
 {
@@ -109,33 +137,31 @@ std::string FindArray(vtkDataSet* input, const std::string& requested)
 }
 
 //------------------------------------------------------------------------------
-crossfield::BoundarySides ReadSides(
-  vtkDataSet* input, const std::string& requested, const DomainConversion::Domain& domain)
+std::vector<crossfield::BoundarySides> ReadSides(vtkDataSet* input, const std::string& requested,
+  const std::vector<DomainConversion::Domain>& parts)
 {
   const std::string array = FindArray(input, requested);
-  if (array.empty())
-  {
-    return crossfield::NameSides(domain.domain);
-  }
-  const CellNames cellNames(input, array);
-  crossfield::SegmentNames segments;
+  std::vector<crossfield::BoundarySides> result;
+  std::vector<std::string> generated; // for earlier parts
   bool isNamed = false;
-  for (const std::vector<vtkIdType>& cells :
-    SegmentCells::Find(input, domain, [&](vtkIdType cell) { return !cellNames.Of(cell).empty(); }))
+  for (const DomainConversion::Domain& part : parts)
   {
-    segments.emplace_back();
-    for (const vtkIdType cell : cells)
+    crossfield::SegmentNames segments;
+    if (!array.empty())
     {
-      segments.back().push_back(cell < 0 ? std::string() : cellNames.Of(cell));
-      isNamed = isNamed || cell >= 0;
+      segments = NamesOfSegments(input, array, part);
+      isNamed = isNamed || IsNamed(segments);
     }
+    result.push_back(crossfield::NameSides(part.domain, segments, generated));
+    const std::vector<std::string>& names = result.back().names;
+    generated.insert(generated.end(), names.begin() + result.back().given, names.end());
   }
   if (!isNamed && !requested.empty())
   {
     throw Error("The cell array '" + requested +
       "' names no part of the boundary; give lines along the boundary with their names.");
   }
-  return crossfield::NameSides(domain.domain, segments);
+  return result;
 }
 
 //------------------------------------------------------------------------------

@@ -31,14 +31,14 @@ namespace SideConversion
 std::string FindArray(vtkDataSet* input, const std::string& requested);
 
 /**
- * Reads the sides of a domain from a cell array of its lines: of its curves, or, beside surface
+ * Reads the sides of each part of a domain from a cell array of its lines: of its curves, or, beside surface
  * cells, of lines along their boundary. Integers are read as their decimal text. Segments of the
  * boundary without a line, and lines with an empty string, have no name (see crossfield::NameSides);
  * lines inside the domain are ignored. Throws crossfield::Error as FindArray does, or if a
  * requested array names no segment.
  */
-crossfield::BoundarySides ReadSides(
-  vtkDataSet* input, const std::string& requested, const DomainConversion::Domain& domain);
+std::vector<crossfield::BoundarySides> ReadSides(vtkDataSet* input, const std::string& requested,
+  const std::vector<DomainConversion::Domain>& parts);
 
 /**
  * Reads a table of sides with the columns of SideText, of strings or numbers; 0 prescribes nothing. A table

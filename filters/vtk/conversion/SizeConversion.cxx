@@ -1,6 +1,6 @@
 #include "SizeConversion.h"
 
-#include "CellLoop.h"
+#include "CellOutline.h"
 #include "Error.h"
 #include "UsedPoints.h"
 #include "vtkQuadMesher.h"
@@ -114,7 +114,7 @@ vtkSmartPointer<vtkUnstructuredGrid> CellsToSample(
   cells->SetPoints(points);
   cells->Allocate(domain->GetNumberOfCells());
   std::vector<vtkIdType> ids;
-  CellLoop::ForEachCell(domain,
+  CellOutline::ForEachCell(domain,
     [&](vtkIdType, int type, const auto& cell)
     {
       ids.clear();
@@ -162,7 +162,7 @@ crossfield::PrescribedSizes ReadSizes(
 {
   const UsedPoints used(domain);
   bool hasSurface = false;
-  CellLoop::ForEachCell(domain,
+  CellOutline::ForEachCell(domain,
     [&hasSurface](vtkIdType, int type, const auto&)
     { hasSurface = hasSurface || IsSurface(type); });
   const auto cells = CellsToSample(domain, used, hasSurface);

@@ -17,11 +17,10 @@
  */
 namespace FilterPorts
 {
-/** Accepts a domain: boundary loops or a surface mesh. */
+/** Accepts a domain: boundary loops or a surface mesh, which may be structured. */
 inline int AcceptDomain(vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 

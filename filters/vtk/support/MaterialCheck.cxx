@@ -20,7 +20,7 @@ bool CanBeMaterial(vtkAbstractArray* array)
 {
   // Gmsh numbers the surfaces of a geometry; its materials are physical groups.
   static const std::set<std::string> others = { names::BoundaryKind, names::BoundaryId,
-    names::QuarterIndex, names::BlockId, names::I, names::J, names::K, names::FaceId,
+    names::QuarterIndex, names::BlockId, names::Part, names::I, names::J, names::K, names::FaceId,
     names::Irregular, names::Valence, "vtkGhostType", "vtkOriginalCellIds", "gmsh:geometrical" };
   auto* numbers = vtkDataArray::SafeDownCast(array);
   const bool isInteger = numbers != nullptr && numbers->GetDataType() != VTK_FLOAT &&

@@ -162,6 +162,20 @@ TEST(DomainPlane, RefusesCurvedDataWithItsDeviation)
   }
 }
 
+TEST(DomainPlane, FlattensWhatIsSlightlyOffWithAWarning)
+{
+  // The saddle of above, whose size is about 2.
+  for (const auto& [height, isWarned] : { std::pair(1e-7, false), std::pair(1e-4, true) })
+  {
+    Matrix3Xd points = Grid();
+    points.row(2) = height * points.row(0).array() * (points.row(1).array() - 0.75);
+    const DomainPlane plane = DomainPlane::Find(
+      ShortestRotation(Vector3d::UnitZ(), Vector3d(1, 2, 3).normalized()) * points);
+    EXPECT_EQ(plane.FlatteningWarning().find("flattened") != std::string::npos, isWarned)
+      << plane.FlatteningWarning();
+  }
+}
+
 TEST(DomainPlane, AcceptsCoordinatesOfSinglePrecision)
 {
   const Matrix3d turn = ShortestRotation(Vector3d::UnitZ(), Vector3d(1, 2, 3).normalized());

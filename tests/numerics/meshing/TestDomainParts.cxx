@@ -2,6 +2,7 @@
 
 #include "DomainParts.h"
 #include "MakePlanarDomain.h"
+#include "SegmentSearch.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -31,10 +32,27 @@ TEST(DomainParts, AreSortedByAreaAndHaveTheirHoles)
   };
   check();
   std::reverse(loops.begin(), loops.end());
-  std::reverse(loops[0].begin(), loops[0].end());
-  check();
+  for (Loop& loop : loops)
+  {
+    std::reverse(loop.begin(), loop.end());
+    check();
+  }
   EXPECT_TRUE(Refuses([&] { MakePlanarDomain(loops); }, { "3 parts", "--part" }));
   EXPECT_TRUE(Refuses([] { SplitParts({}); }, { "no boundary" }));
+}
+
+TEST(DomainParts, OfTheSameAreaAreSortedFromLeftToRight)
+{
+  // Rounding and simplified boundaries do not change their order.
+  const std::vector<PlanarDomain> parts = SplitParts(
+    { BoxOf(6, 0, 1, 1.0001), BoxOf(3, 0, 1, 0.9999), BoxOf(0, 0, 1, 1), BoxOf(9, 0, 2, 1) });
+  ASSERT_EQ(parts.size(), 4U);
+  for (int p = 0; p < 4; ++p)
+  {
+    EXPECT_TRUE(SegmentSearch(parts[static_cast<std::size_t>(p)])
+                  .SignedDistance(Point(p == 0 ? 9.5 : 3.0 * p - 2.5, 0.5)) > 0.0)
+      << p;
+  }
 }
 
 TEST(DomainParts, HaveNumbers)
