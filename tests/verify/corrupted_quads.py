@@ -50,6 +50,11 @@ def quad_point_of_another_loop(file):
     file.point("BoundarySide")[_inner(file)] = 1
 
 
+@of("quads", "Part numbers what is connected")
+def quad_of_another_part(file):
+    file.cell("Part")[0] = 1
+
+
 @of("quads", "Valence counts the quads")
 def quad_valence_changed(file):
     file.point("Valence")[_inner(file)] = 5

@@ -25,17 +25,37 @@ def check_quads(data, report):
     has_lines = "BoundaryId" in data.cells
     edges = _check_edges(data, has_lines, report)
     loops = _loops(data)
-    report.equal("Euler characteristic of a connected mesh in its loops",
-                 2 - len(loops), len(data.points) - len(edges) + len(data.quads))
+    characteristic = 2 * _check_parts(data, report) - len(loops)
+    report.equal("Euler characteristic of a connected mesh in its loops", characteristic,
+                 len(data.points) - len(edges) + len(data.quads))
     on_loop = np.full(len(data.points), -1)
     for number, loop in loops.items():
         on_loop[loop] = number
     report.true("BoundarySide is the loop of a point", np.array_equal(data.at_points["BoundarySide"], on_loop))
-    _check_valences(data, on_loop, 2 - len(loops), report)
+    _check_valences(data, on_loop, characteristic, report)
     _check_blocks(data, report)
     _check_shapes(data, frame, report)
     report.note("SizeRatio needs the wanted sizes, and zero arcs and integers the layout, which the file does "
                 "not have: not recomputed")
+
+
+def _check_parts(data, report):
+    """Checks the numbers of the connected parts and returns how many there are."""
+    labels = np.arange(len(data.points))
+    while True:  # every point takes the smallest number of its quads
+        smallest = labels.copy()
+        np.minimum.at(smallest, data.quads, labels[data.quads].min(axis=1)[:, None])
+        smallest = smallest[smallest]
+        if np.array_equal(smallest, labels):
+            break
+        labels = smallest
+    of_quad = labels[data.quads[:, 0]]
+    part = data.quad_cells["Part"]
+    pairs = {(int(a), int(b)) for a, b in zip(of_quad, part)}
+    count = len(np.unique(of_quad))
+    report.true("Part numbers what is connected",
+                len(pairs) == count and sorted({b for _, b in pairs}) == list(range(count)))
+    return count
 
 
 def _check_edges(data, has_lines, report):
