@@ -1,6 +1,7 @@
 #include "vtkQuadMeshWriter.h"
 
 #include "CgnsLibrary.h"
+#include "ColumnWriting.h"
 #include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
@@ -10,15 +11,22 @@
 #include "SideText.h"
 #include "SolverMeshReading.h"
 #include "TextFile.h"
+#include "vtkCrossFieldArrayNames.h"
 
+#include "vtkCellData.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridWriter.h"
 
+#include <map>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkQuadMeshWriter);
 
@@ -26,11 +34,63 @@ namespace
 {
 using crossfield::MeshFormat;
 
-/** Returns the bytes of a file of VTK's legacy format. */
+/** Returns for each cell the number of its side: in the order of `SideNames`, then of the cells; −1 for none. */
+std::vector<int> NumbersOfSides(vtkUnstructuredGrid* mesh, vtkStringArray* sides)
+{
+  std::map<std::string, int> numbers = { { "", -1 } };
+  const auto numberOf = [&numbers](const std::string& name)
+  { return numbers.emplace(name, static_cast<int>(numbers.size()) - 1).first->second; };
+  auto* all = vtkStringArray::SafeDownCast(
+    mesh->GetFieldData()->GetAbstractArray(vtkCrossFieldArrayNames::SideNames));
+  for (vtkIdType i = 0; all != nullptr && i < all->GetNumberOfValues(); ++i)
+  {
+    numberOf(all->GetValue(i));
+  }
+  std::vector<int> result;
+  for (vtkIdType cell = 0; cell < sides->GetNumberOfValues(); ++cell)
+  {
+    result.push_back(numberOf(sides->GetValue(cell)));
+  }
+  return result;
+}
+
+/** Replaces the names of sides by their numbers, and removes other texts and empty arrays. */
+void ReplaceTexts(vtkUnstructuredGrid* mesh)
+{
+  const vtkSmartPointer<vtkStringArray> sides = vtkStringArray::SafeDownCast(
+    mesh->GetCellData()->GetAbstractArray(vtkCrossFieldArrayNames::Side));
+  std::vector<int> numbers;
+  if (sides != nullptr)
+  {
+    numbers = NumbersOfSides(mesh, sides);
+  }
+  for (vtkFieldData* data : { static_cast<vtkFieldData*>(mesh->GetCellData()),
+         static_cast<vtkFieldData*>(mesh->GetPointData()), mesh->GetFieldData() })
+  {
+    for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      if (vtkStringArray::SafeDownCast(array) != nullptr || array->GetNumberOfValues() == 0)
+      {
+        data->RemoveArray(i);
+      }
+    }
+  }
+  if (sides != nullptr)
+  {
+    ColumnWriting::AddIntegers(mesh->GetCellData(), vtkCrossFieldArrayNames::Side, numbers);
+  }
+}
+
+/** Returns the bytes of a file of VTK's legacy format that other programs read: version 4.2 without texts. */
 std::string LegacyBytes(vtkUnstructuredGrid* mesh)
 {
+  vtkNew<vtkUnstructuredGrid> plain;
+  plain->ShallowCopy(mesh);
+  ReplaceTexts(plain);
   vtkNew<vtkUnstructuredGridWriter> writer;
-  writer->SetInputData(mesh);
+  writer->SetInputData(plain);
+  writer->SetFileVersion(vtkDataWriter::VTK_LEGACY_READER_VERSION_4_2);
   writer->SetFileTypeToBinary(); // in text, numbers have 11 digits only
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)

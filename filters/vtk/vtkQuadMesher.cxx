@@ -1,6 +1,7 @@
 #include "vtkQuadMesher.h"
 
 #include "ColumnWriting.h"
+#include "CompositeInput.h"
 #include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
@@ -53,7 +54,7 @@ vtkQuadMesher::vtkQuadMesher()
 //------------------------------------------------------------------------------
 int vtkQuadMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0     ? FilterPorts::AcceptDomain(info)
+  return port == 0     ? FilterPorts::AcceptDomains(info)
     : port == SidePort ? FilterPorts::AcceptOptionalTable(info)
                        : FilterPorts::AcceptOptionalPoints(info);
 }
@@ -76,7 +77,7 @@ int vtkQuadMesher::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkQuadMesher::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  const vtkSmartPointer<vtkDataSet> domain = CompositeInput::Append(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
   return FilterRun::Run(

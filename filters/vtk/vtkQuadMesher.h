@@ -9,7 +9,8 @@
  * of quads, and nodes move, on the boundary along its polyline, until the quads have their best
  * shape.
  *
- * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles. Port 1, optional,
+ * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several parts that do not touch,
+ * and loops in several blocks may bound one domain. Port 1, optional,
  * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
  * connection, singularities are chosen as vtkConfigurationProposal does with Automatic, then moved
  * to suit the requested quads. A connected data set without points means no singularities.

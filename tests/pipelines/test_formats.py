@@ -117,8 +117,8 @@ class Formats(ProgramTest):
     def test_meshio_reads_the_same_mesh_from_every_format(self):
         report, _ = self.quads("plain.vtp", "a.msh")
         edges = {side["name"]: side["edges"] for side in report["sides"]}
-        for ending in (".msh", ".inp", ".su2"):
-            self.quads("plain.vtp", "a" + ending)
+        for ending in (".msh", ".inp", ".su2", ".vtk"):
+            self.succeed("quads", "plain.vtp", "-o", "a" + ending, "--quads", "150")
             mesh = meshio.read(self.folder / ("a" + ending))
             [quads] = [block.data for block in mesh.cells if block.type == "quad"]
             self.assertEqual(len(quads), report["quads"])
@@ -129,6 +129,9 @@ class Formats(ProgramTest):
                 self.assertEqual(set(mesh.field_data), {*edges, "domain"})
             if ending == ".inp":
                 self.assertEqual({name: len(ids) - 1 for name, ids in mesh.point_sets.items() if name in edges}, edges)
+            if ending == ".vtk":  # sides are numbers
+                [sides] = [of for of, block in zip(mesh.cell_data["Side"], mesh.cells) if block.type == "line"]
+                self.assertEqual([sides.tolist().count(i) for i in range(len(edges))], list(edges.values()))
             if ending != ".inp":
                 self.assertEqual(sum(len(block.data) for block in mesh.cells if block.type == "line"), sum(edges.values()))
 
@@ -168,6 +171,86 @@ S
             self.assertGreater(len(stresses), 4 * 100)
             for xx, yy, _, xy in stresses:
                 self.assertLess(max(abs(xx - 1), abs(yy), abs(xy)), 1e-3 if order == 1 else 1e-4)
+
+    def solve(self, text):
+        """Runs CalculiX and returns the printed displacements by node."""
+        (self.folder / "a.inp").write_text(text)
+        subprocess.run(["ccx", "a"], cwd=self.folder, check=True, capture_output=True)
+        rows = [row.split() for row in (self.folder / "a.dat").read_text().splitlines() if re.match(r" +\d+ ", row)]
+        return {int(row[0]): tuple(map(float, row[1:4])) for row in rows}
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_calculix_uses_the_equations_of_periodic_sides(self):
+        """A sector of a ring under inner pressure: equations hold it, and the displacement is Lamé's."""
+        count, inner, outer, angle = 48, 1.0, 2.0, 0.7
+
+        def arc(radius, name, begin, end):  # without its end
+            turns = [begin + (end - begin) * i / count for i in range(count)]
+            return [(radius * math.cos(turn), radius * math.sin(turn), name) for turn in turns]
+
+        write_domain(self.folder / "sector.vtp", [[*arc(outer, "outside", -angle, 0), (outer, 0.0, "high"), *arc(inner, "inside", 0, -angle),
+                                                   (inner * math.cos(angle), -inner * math.sin(angle), "low")]])
+        _, text = self.quads("sector.vtp", "a.inp", "--periodic", "low:high", "--order", "2", "--curve", "inside:circle", "--curve",
+                             "outside:circle")
+        rows = text.split("*SURFACE, NAME=inside, TYPE=ELEMENT\n")[1].split("*")[0].replace("S", "P").splitlines()
+        # A rotation about the centre is free otherwise. Nodes are tied to one on the side with y = 0.
+        node = text.split("*EQUATION\n")[1].splitlines()[1].split(",")[3].strip()
+        found = self.solve(text + """*MATERIAL, NAME=steel
+*ELASTIC
+1000, 0.3
+*SOLID SECTION, ELSET=domain, MATERIAL=steel
+0.01
+*BOUNDARY
+%s, 2, 2
+*STEP
+*STATIC
+*DLOAD
+%s
+*NODE PRINT, NSET=inside
+U
+*END STEP
+""" % (node, "\n".join(row + ", 1" for row in rows)))
+        a2, b2 = inner**2, outer**2
+        exact = a2 / (1000 * (b2 - a2)) * (0.7 * inner + 1.3 * b2 / inner)
+        self.assertGreater(len(found), 10)
+        for x, y, _ in found.values():
+            self.assertLess(abs(math.hypot(x, y) / exact - 1), 2e-3)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_calculix_reads_shells(self):
+        """A clamped strip in a tilted plane under pressure; without lateral contraction the deflection is that of a beam."""
+        cos, sin, length, thickness = math.cos(0.5), math.sin(0.5), 2.0, 0.05
+        (self.folder / "tilted.csv").write_text("x,y,z\n" + "".join(
+            "%.17g,%.17g,%.17g\n" % (x, y * cos, y * sin) for x, y in ((0, 0), (length, 0), (length, 0.5), (0, 0.5))))
+        for order, element in ((1, "S4"), (2, "S8")):
+            _, text = self.quads("tilted.csv", "a.inp", "--order", order)
+            self.assertIn("*ELEMENT, TYPE=%s, " % element, text)
+            nodes = [list(map(float, row.split(","))) for row in text.split("NSET=NALL\n")[1].split("*")[0].splitlines()]
+            at = {x: ", ".join(str(int(row[0])) for row in nodes if abs(row[1] - x) < 1e-9) for x in (0.0, length)}
+            found = self.solve(text + """*MATERIAL, NAME=steel
+*ELASTIC
+210000, 0.
+*SHELL SECTION, ELSET=domain, MATERIAL=steel
+%g
+*NSET, NSET=clamped
+%s
+*NSET, NSET=tip
+%s
+*BOUNDARY
+clamped, 1, 6
+*STEP
+*STATIC
+*DLOAD
+domain, P, 0.01
+*NODE PRINT, NSET=tip
+U
+*END STEP
+""" % (thickness, at[0.0], at[length]))
+            exact = 0.01 * length**4 / (8 * 210000 * thickness**3 / 12)
+            self.assertGreater(len(found), 2)
+            for x, y, z in found.values():
+                self.assertLess(abs(math.hypot(y, z) / exact - 1), 0.1 if order == 1 else 0.01)
+                self.assertLess(abs(y * cos + z * sin), 0.01 * exact)
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_example_of_a_plate_with_a_hole(self):
@@ -221,8 +304,7 @@ S
         text = (self.folder / "plain.vtp").read_text()
         points = "0 0 0 3 0 1 3 2 1 0 2 0"
         (self.folder / "tilted.vtp").write_text(re.sub(r'(format="ascii">)0 0 0 3 0 0 3 2 0 0 2 0', r"\g<1>" + points, text))
-        for file in ("a.inp", "a.su2"):
-            self.refuse("quads", "tilted.vtp", "-o", file, says=["z = const"])
+        self.refuse("quads", "tilted.vtp", "-o", "a.su2", says=["z = const"])
         _, text = self.quads("tilted.vtp", "a.msh", "--msh-version", "2.2")
         nodes, _, _ = read_msh22(text)
         for x, _, z in nodes.values():

@@ -220,7 +220,7 @@ def test_quad_mesher_for_a_first_user():
     shown = Show(mesher, CreateView("RenderView")).SMProxy.GetProperty("ColorArrayName")
     choice = shown.FindDomain("vtkSMArrayListDomain")
     check_equal([choice.GetString(i) for i in range(choice.GetNumberOfStrings())],
-                ["BoundarySide", "Irregular", "Valence", "BlockId", "I", "J", "ScaledJacobian", "SizeRatio", "Part"], "the colours")
+                ["BoundarySide", "Irregular", "Valence", "BlockId", "I", "J", "Part", "ScaledJacobian", "SizeRatio"], "the colours")
     text = report.GetValueByName(0, "Summary").ToString().replace("\n", " ")
     check("%d quads in 5 blocks" % quads.GetNumberOfCells() in text and "4 of valence 3" in text, "the text: " + text)
     boundary, nodes = (servermanager.Fetch(mesher, idx=port) for port in (5, 6))
@@ -231,6 +231,35 @@ def test_quad_mesher_for_a_first_user():
         file = os.path.join(folder, "quads.vtu")
         SaveData(file, proxy=mesher, DataMode="Binary")
         check_equal(fetch(OpenDataFile(file)).GetNumberOfCells(), quads.GetNumberOfCells(), "cells of the file")
+
+
+def test_what_filters_of_paraview_give():
+    disk = Disk(InnerRadius=0.5, OuterRadius=1, CircumferentialResolution=48)
+    other = Transform(Input=disk)
+    other.Transform.Translate = [3, 0, 0]
+    outer = PlanarDomainSource()
+    inner = Transform(Input=PlanarDomainSource())
+    inner.Transform.Scale = [0.3, 0.3, 1]
+    image = Wavelet(WholeExtent=[-10, 10, 0, 0, -5, 5])
+    bent = Calculator(Input=disk, ResultArrayName="Bent", CoordinateResults=1)
+    bent.Function = "coordsX*iHat + coordsY*jHat + 5e-5*coordsX*coordsX*kHat"
+    raised = IsoVolume(Input=Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0]), InputScalars=["POINTS", "RTData"], ThresholdRange=[160, 400])
+    ring = 0.75 * math.pi
+    cases = (("strips", TriangleStrips(Input=Triangulate(Input=disk)), 1, ring), ("image", image, 1, 200.0),
+             ("image as a structured grid", Calculator(Input=image, CoordinateResults=1, Function="coords"), 1, 200.0),
+             ("appended", AppendDatasets(Input=[disk, other]), 2, 2 * ring), ("group", GroupDatasets(Input=[disk, other]), 2, 2 * ring),
+             ("group of loops", GroupDatasets(Input=[outer, inner]), 1, 0.91 * math.pi), ("bent", bent, 1, ring),
+             ("iso volume", raised, 3, None))
+    for name, source, parts, area in cases:
+        mesher = QuadMesher(Input=source, QuadCount=400)
+        mesher.UpdatePipeline()
+        quads = servermanager.Fetch(mesher)
+        check_equal(quads.GetClassName(), "vtkUnstructuredGrid", name)
+        check(320 < quads.GetNumberOfCells() < 480, "%s: %d quads" % (name, quads.GetNumberOfCells()))
+        check_equal(quads.GetCellData().GetArray("Part").GetRange(), (0.0, parts - 1.0), name)
+        if area is not None:
+            total = servermanager.Fetch(IntegrateVariables(Input=mesher)).GetCellData().GetArray("Area").GetValue(0)
+            check(abs(total - area) < 0.01 * area, "%s: area %g instead of %g" % (name, total, area))
 
 
 def test_sides():

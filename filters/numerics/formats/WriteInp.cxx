@@ -1,12 +1,15 @@
 #include "WriteInp.h"
 
 #include "ElementNodes.h"
-#include "Error.h"
 #include "FormatNames.h"
 #include "MeshText.h"
+#include "TiedNodes.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace crossfield
 {
@@ -39,6 +42,12 @@ void AddNodes(const SolverMesh& mesh, const ElementNodes& numbering, MeshText& t
   }
 }
 
+/// Returns whether quads are shells: not in a plane z = const.
+bool HasShells(const SolverMesh& mesh)
+{
+  return mesh.dimension == 2 && !mesh.HasConstantHeight();
+}
+
 /// Adds the elements of the regions, first those that are not prisms.
 void AddRegions(const SolverMesh& mesh, const ElementNodes& numbering,
   const std::vector<std::string>& names, MeshText& text)
@@ -56,7 +65,10 @@ void AddRegions(const SolverMesh& mesh, const ElementNodes& numbering,
       const std::vector<int> nodes = numbering.OfCell(cell);
       if (isFirst)
       {
-        text.Add(mesh.dimension == 2 ? "*ELEMENT, TYPE=CPS" : "*ELEMENT, TYPE=C3D");
+        text.Add("*ELEMENT, TYPE=")
+          .Add(mesh.dimension == 3 ? "C3D"
+              : HasShells(mesh)    ? "S"
+                                   : "CPS");
         text.Add(static_cast<int>(nodes.size())).Add(", ELSET=").Add(names[group / 2]).Add('\n');
       }
       isFirst = false;
@@ -73,7 +85,7 @@ int FaceNumber(const SolverMesh& mesh, const CellFace& face)
   const int collapsed = mesh.CollapsedEdge(face.cell);
   if (collapsed < 0)
   {
-    return face.face + 1;
+    return face.face + (HasShells(mesh) ? 3 : 1); // 1 and 2 are the two faces of a shell
   }
   // Bottom, top, and around from the collapsed edge, whose face is a line.
   constexpr std::array<int, 6> NumbersOfPrism = { 3, 5, 0, 2, 4, 1 };
@@ -107,6 +119,88 @@ void AddSide(const SolverMesh& mesh, const ElementNodes& numbering,
   }
 }
 
+/// Adds the equation u_i = Σ R_ij v_j of the displacements of a node and of the node that it is tied to, for degrees of freedom
+/// from `first` on.
+void AddEquations(
+  const TiedNode& tie, const ElementNodes& numbering, int first, int count, MeshText& text)
+{
+  constexpr double Zero = 1e-12; // up to rounding, an entry of a rotation
+  for (int i = 0; i < count; ++i)
+  {
+    std::vector<int> columns;
+    for (int j = 0; j < count; ++j)
+    {
+      if (std::abs(tie.rotation(i, j)) > Zero)
+      {
+        columns.push_back(j);
+      }
+    }
+    text.Add(static_cast<int>(columns.size()) + 1).Add('\n');
+    text.Add(numbering.NumberOf(tie.node)).Add(", ").Add(first + i).Add(", 1.");
+    for (const int j : columns)
+    {
+      text.Add(", ").Add(numbering.NumberOf(tie.other)).Add(", ").Add(first + j).Add(", ");
+      text.AddIn20(-tie.rotation(i, j));
+    }
+    text.Add('\n');
+  }
+}
+
+/// Adds equations that keep a node on the axis of a rotation, along the unit vector a: u_i − (a_i / a_k) u_k = 0, with the largest |a_k|.
+void AddAxisEquations(
+  const TiedNode& tie, const ElementNodes& numbering, int first, int count, MeshText& text)
+{
+  Eigen::Vector3d axis = Eigen::AngleAxisd(tie.rotation).axis();
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  for (int i = 0; i < count; ++i)
+  {
+    if (i == largest)
+    {
+      continue;
+    }
+    const double slope = axis[i] / axis[largest];
+    const bool isSlanted = largest < count && std::abs(slope) > 1e-12;
+    text.Add(isSlanted ? "2\n" : "1\n");
+    text.Add(numbering.NumberOf(tie.node)).Add(", ").Add(first + i).Add(", 1.");
+    if (isSlanted)
+    {
+      text.Add(", ")
+        .Add(numbering.NumberOf(tie.node))
+        .Add(", ")
+        .Add(first + static_cast<int>(largest));
+      text.Add(", ").AddIn20(-slope);
+    }
+    text.Add('\n');
+  }
+}
+
+/// Adds the equations of periodic sides.
+void AddPeriodic(
+  const SolverMesh& mesh, const MeshFaces& faces, const ElementNodes& numbering, MeshText& text)
+{
+  const std::vector<TiedNode> ties = TieNodes(mesh, faces);
+  if (ties.empty())
+  {
+    return;
+  }
+  text.Add(
+    "** Displacements of periodic sides match, turned as the side is; for temperatures use degree of freedom 11\n"
+    "*EQUATION\n");
+  const bool isPlane = mesh.dimension == 2 && !HasShells(mesh);
+  for (const TiedNode& tie : ties)
+  {
+    for (const int first : { 1, 4 }) // displacements, and rotations of shells
+    {
+      if (first == 1 || HasShells(mesh))
+      {
+        (tie.node == tie.other ? AddAxisEquations : AddEquations)(
+          tie, numbering, first, isPlane ? 2 : 3, text);
+      }
+    }
+  }
+}
+
 /// Adds a comment for each name that has been changed.
 void AddChangedNames(
   const std::vector<std::string>& from, const std::vector<std::string>& to, MeshText& text)
@@ -127,12 +221,6 @@ void AddChangedNames(
 
 std::string WriteInp(const SolverMesh& mesh)
 {
-  if (mesh.dimension == 2 && !mesh.HasConstantHeight())
-  {
-    throw Error(
-      "The format .inp has plane elements in a plane z = const only; rotate the domain, or write "
-      "a .msh or .vtu file.");
-  }
   NameRule rule;
   rule.hasCase = false;
   rule.longest = 72; // CalculiX reads 80 characters and adds some of its own
@@ -144,7 +232,9 @@ std::string WriteInp(const SolverMesh& mesh)
   const ElementNodes numbering(mesh, NodeOrder::Abaqus, 1);
   const MeshFaces faces(mesh);
   MeshText text;
-  text.Add("** Mesh; for plane strain, replace CPS by CPE, for axial symmetry by CAX\n");
+  text.Add(HasShells(mesh)
+      ? "** Mesh of shells; give *SHELL SECTION\n"
+      : "** Mesh; for plane strain, replace CPS by CPE, for axial symmetry by CAX\n");
   AddChangedNames(names, changed, text);
   AddNodes(mesh, numbering, text);
   AddRegions(mesh, numbering, { changed.begin(), changed.begin() + regions }, text);
@@ -156,6 +246,7 @@ std::string WriteInp(const SolverMesh& mesh)
         mesh, numbering, faces.OfSide(side), changed[mesh.regionNames.size() + Index(side)], text);
     }
   }
+  AddPeriodic(mesh, faces, numbering, text);
   return text.Take();
 }
 }

@@ -24,6 +24,14 @@ inline int AcceptDomain(vtkInformation* info)
   return 1;
 }
 
+/** Accepts a domain, or the parts of one as blocks (CompositeInput.h). */
+inline int AcceptDomains(vtkInformation* info)
+{
+  AcceptDomain(info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
 /** Accepts a domain or no connection. */
 inline int AcceptOptionalDomain(vtkInformation* info)
 {

@@ -4,6 +4,7 @@
 
 #include "CellLattice.h"
 #include "FormatChecks.h"
+#include "TiedNodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -341,7 +342,6 @@ TEST(MeshFormats, RefusesWhatAFormatCannotHave)
   expect(mesh, "a.su2", "no regions, and this mesh has 2");
   SolverMesh tilted = mesh;
   tilted.points[0].z() += 1.0;
-  expect(tilted, "a.inp", "z = const");
   tilted.regionNames.resize(1);
   tilted.region.assign(4, 0);
   expect(tilted, "a.su2", "z = const");
@@ -378,5 +378,40 @@ TEST(MeshFormats, RefusesWhatAFormatCannotHave)
   damaged = mesh;
   damaged.side[0] = 4;
   expect(damaged, "a.msh", "damaged");
+}
+
+TEST(MeshFormats, PointsOfPeriodicSidesAreTiedToOne)
+{
+  // Sides left and right, bottom and top: the four corners are one point, which is the only one that is not tied.
+  SolverMesh square = LatticeMesh(2, 2, 3, 2, 5).Mesh;
+  SidePair across{ 3, 1, Eigen::Matrix4d::Identity() };
+  SidePair along{ 0, 2, Eigen::Matrix4d::Identity() };
+  const auto extent = [&square](int axis)
+  {
+    double largest = 0.0;
+    for (const Eigen::Vector3d& point : square.points)
+    {
+      largest = std::max(largest, point[axis]);
+    }
+    return largest;
+  };
+  across.motion(0, 3) = extent(0);
+  along.motion(1, 3) = extent(1);
+  square.pairs = { across, along };
+  OrientCells(square);
+  const std::vector<TiedNode> ties = TieNodes(square, MeshFaces(square));
+  EXPECT_EQ(ties.size(), 3U + 3U + 5U); // corners, and points inside of sides of 2 and of 3 quads
+  std::set<int> tied;
+  for (const TiedNode& tie : ties)
+  {
+    EXPECT_TRUE(tied.insert(tie.node).second) << "twice";
+    EXPECT_TRUE(tie.rotation.isIdentity());
+  }
+  for (const TiedNode& tie : ties)
+  {
+    EXPECT_EQ(tied.count(tie.other), 0U) << "a chain";
+  }
+  const std::string text = Written(square, "a.inp");
+  EXPECT_EQ(CountOf(text, ", 1., "), 2 * static_cast<int>(ties.size()));
 }
 }
