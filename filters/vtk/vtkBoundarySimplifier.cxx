@@ -165,7 +165,7 @@ crossfield::CurveRequest RequestFor(std::size_t part,
   std::vector<crossfield::CurveDeclaration> here;
   for (const crossfield::CurveDeclaration& declaration : request.declared)
   {
-    crossfield::RequireSide(names, declaration.side);
+    crossfield::RequireSide(names, declaration.side, " for a curve");
     if (sides[part].Find(declaration.side) >= 0)
     {
       here.push_back(declaration);

@@ -30,7 +30,7 @@ void RequireSides(const std::vector<DomainPart>& parts, const QuadRequest& reque
   }
   for (const SideRequest& one : request.sideRequests)
   {
-    RequireSide(names, one.side);
+    RequireSide(names, one.side, one.curve ? " for a curve" : one.layer ? " for a layer" : "");
   }
   for (const CornerRule& rule : request.cornerRows)
   {
