@@ -19,6 +19,8 @@
 #include <gp_Elips.hxx>
 #include <gp_Pln.hxx>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace
@@ -34,6 +36,7 @@ struct PlanarFace
   TopoDS_Face face;
   double area = 0.0;
   gp_Dir normal;
+  gp_Pnt centre;
 };
 
 std::vector<PlanarFace> PlanarFaces(const TopoDS_Shape& shape, int& faces)
@@ -48,13 +51,17 @@ std::vector<PlanarFace> PlanarFaces(const TopoDS_Shape& shape, int& faces)
     {
       GProp_GProps properties;
       BRepGProp::SurfaceProperties(face, properties);
-      planar.push_back({ face, properties.Mass(), surface.Plane().Axis().Direction() });
+      planar.push_back(
+        { face, properties.Mass(), surface.Plane().Axis().Direction(), properties.CentreOfMass() });
     }
   }
   return planar;
 }
 
-/** Returns the largest face. Two sides of a plate are equal and parallel; the first one is used. */
+/**
+ * Returns the largest face. Two sides of a plate are equal and parallel; the first one is used.
+ * Equal faces with one centre are copies of one: some programs write a solid twice.
+ */
 const PlanarFace& Largest(const std::vector<PlanarFace>& faces, const std::string& file)
 {
   constexpr double SameArea = 1e-6;
@@ -64,15 +71,21 @@ const PlanarFace& Largest(const std::vector<PlanarFace>& faces, const std::strin
   {
     largest = face.area > largest->area * (1.0 + SameArea) ? &face : largest;
   }
-  int equal = 0;
+  constexpr double SamePlace = 1e-6; // of the side of a square of that area
+  std::vector<const PlanarFace*> equal;
   for (const PlanarFace& face : faces)
   {
-    const bool isSame = face.area > largest->area * (1.0 - SameArea);
-    equal += isSame ? 1 : 0;
-    if (isSame && (equal > 2 || !face.normal.IsParallel(largest->normal, Parallel)))
+    const bool isCopy = std::any_of(equal.begin(), equal.end(),
+      [&](const PlanarFace* other)
+      { return other->centre.Distance(face.centre) <= SamePlace * std::sqrt(face.area); });
+    if (face.area > largest->area * (1.0 - SameArea) && !isCopy)
     {
-      throw Error("The model '" + file +
-        "' has several planar faces of the same, largest area; give a model of one face.");
+      equal.push_back(&face);
+      if (equal.size() > 2 || !face.normal.IsParallel(largest->normal, Parallel))
+      {
+        throw Error("The model '" + file +
+          "' has several planar faces of the same, largest area; give a model of one face.");
+      }
     }
   }
   return *largest;

@@ -153,7 +153,10 @@ std::vector<crossfield::Point> WithPointsOf(const crossfield::CurvedBoundary& bo
   return kept;
 }
 
-/** Returns the curves that are declared for sides of a part. Throws crossfield::Error if no part has one of the sides. */
+/**
+ * Returns the curves that are declared for sides of a part. Throws crossfield::Error if no part has
+ * one of the sides.
+ */
 crossfield::CurveRequest RequestFor(std::size_t part,
   const std::vector<crossfield::BoundarySides>& sides, crossfield::CurveRequest request)
 {
@@ -274,7 +277,10 @@ void Simplify(const Options& options, std::vector<crossfield::Point> kept, Simpl
   }
 }
 
-/** Adds one polyline per loop of a part, or per piece of a side or a curve. `names` is absent if sides have no names. */
+/**
+ * Adds one polyline per loop of a part, or per piece of a side or a curve. `names` is absent if
+ * sides have no names.
+ */
 void AddLoops(const SimplePart& part, vtkPoints* points, vtkCellArray* lines, vtkStringArray* names,
   CurveConversion::CellCurves& cellCurves)
 {
@@ -322,8 +328,8 @@ void AddLoops(const SimplePart& part, vtkPoints* points, vtkCellArray* lines, vt
 }
 
 /**
- * Writes the loops of all parts with the arrays of the nearest points of the input, and the array of the names of sides
- * unless that has no name.
+ * Writes the loops of all parts with the arrays of the nearest points of the input, and the array
+ * of the names of sides unless that has no name.
  */
 void WriteLoops(const std::vector<SimplePart>& parts, const std::string& array, vtkDataSet* input,
   vtkDataSet* output)
@@ -361,7 +367,10 @@ void WriteLoops(const std::vector<SimplePart>& parts, const std::string& array, 
   }
 }
 
-/** Writes how far points moved, the numbers of points, and the positions of the corners that the new boundary does not have. */
+/**
+ * Writes how far points moved, the numbers of points, and the positions of the corners that the new
+ * boundary does not have.
+ */
 void WriteChanges(const std::vector<SimplePart>& parts, double cornerAngle, vtkDataSet* output)
 {
   namespace names = vtkCrossFieldArrayNames;

@@ -12,9 +12,10 @@
  * optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no lines; without a connection,
  * those of the vtkQuadMesher upstream whose points and cells port 0 has.
  *
- * Output port 0 (vtkUnstructuredGrid): VTK_HEXAHEDRON and VTK_WEDGE, or VTK_TRIQUADRATIC_HEXAHEDRON,
- * layer by layer in the order of the quads, then the faces of the boundary: VTK_QUAD and VTK_TRIANGLE, or
- * VTK_BIQUADRATIC_QUAD. With all arrays of the quads and
+ * Output port 0 (vtkUnstructuredGrid): VTK_HEXAHEDRON and VTK_WEDGE, or VTK_TRIQUADRATIC_HEXAHEDRON
+ * and VTK_BIQUADRATIC_QUADRATIC_WEDGE, layer by layer in the order of the quads, then the faces of
+ * the boundary: VTK_QUAD and VTK_TRIANGLE, or VTK_BIQUADRATIC_QUAD and VTK_QUADRATIC_TRIANGLE. With
+ * all arrays of the quads and
  * - cells: `K` (int), the layer, −1 on faces; `Side` (string), the name of the side of a face: that of the edge,
  *   or `back` at the start and `front` at the end (`front_2`, ... if the quads have a side of that name);
  *   `I` and `J` are −1 on faces, whose other arrays are those of their cell;

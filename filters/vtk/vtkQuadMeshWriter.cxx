@@ -34,7 +34,10 @@ namespace
 {
 using crossfield::MeshFormat;
 
-/** Returns for each cell the number of its side: in the order of `SideNames`, then of the cells; −1 for none. */
+/**
+ * Returns for each cell the number of its side: in the order of `SideNames`, then of the cells; −1
+ * for none.
+ */
 std::vector<int> NumbersOfSides(vtkUnstructuredGrid* mesh, vtkStringArray* sides)
 {
   std::map<std::string, int> numbers = { { "", -1 } };
@@ -82,7 +85,10 @@ void ReplaceTexts(vtkUnstructuredGrid* mesh)
   }
 }
 
-/** Returns the bytes of a file of VTK's legacy format that other programs read: version 4.2 without texts. */
+/**
+ * Returns the bytes of a file of VTK's legacy format that other programs read: version 4.2 without
+ * texts.
+ */
 std::string LegacyBytes(vtkUnstructuredGrid* mesh)
 {
   vtkNew<vtkUnstructuredGrid> plain;

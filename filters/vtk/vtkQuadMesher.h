@@ -9,8 +9,8 @@
  * of quads, and nodes move, on the boundary along its polyline, until the quads have their best
  * shape.
  *
- * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several parts that do not touch,
- * and loops in several blocks may bound one domain. Port 1, optional,
+ * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several
+ * parts that do not touch, and loops in several blocks may bound one domain. Port 1, optional,
  * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
  * connection, singularities are chosen as vtkConfigurationProposal does with Automatic, then moved
  * to suit the requested quads. A connected data set without points means no singularities.
@@ -30,12 +30,12 @@
  *   singularity or corner, else 0; `BoundarySide` (int): number of the boundary loop, −1 inside.
  *
  * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block with the cell arrays
- * `BlockId` and `Part`; shared points are equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
- * `NeighbourBlock` (the adjacent block, −1: the boundary), `NeighbourSide` (the adjacent side of
- * that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
- * same order; −1: the reversed order; 0: boundary), and `SideName` (string): the name of the
- * boundary's side, several of them separated by commas, empty inside. Every side that is not on the
- * boundary is adjacent to exactly one complete side.
+ * `BlockId` and `Part`; shared points are equal in every bit. Field data of each block, per side J
+ * = 0, I largest, J largest, I = 0: `NeighbourBlock` (the adjacent block, −1: the boundary),
+ * `NeighbourSide` (the adjacent side of that block), `NeighbourOrientation` (1: the points of both
+ * sides, by increasing I or J, have the same order; −1: the reversed order; 0: boundary), and
+ * `SideName` (string): the name of the boundary's side, several of them separated by commas, empty
+ * inside. Every side that is not on the boundary is adjacent to exactly one complete side.
  *
  * Output 2 (vtkPolyData): the layout: the sides of the blocks as polylines along edges of quads,
  * with the cell array `Edges` (int): quads along each. A side that two blocks share occurs once.

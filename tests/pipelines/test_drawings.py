@@ -140,6 +140,40 @@ class Drawings(ProgramTest):
         self.refuse("check", "plates.dxf", "--drawing-layer", "cut", says=["no curves on the layer 'cut'", "'pin'"])
         self.refuse("check", "builtin:disk", "--drawing-layer", "cut", says=["is no drawing"])
 
+    def test_ends_a_hair_past_the_start(self):
+        """Files of others: a closed polyline steps back to its start, and a short open line joins nothing."""
+        slot = [(0, 0), (10, 0), (10, 3), (0, 3), (0, -1e-5)]
+        rows = [line(a, b) for a, b in zip(slot, slot[1:] + slot[:1])]
+        _, printed = self.accept(self.write("past.dxf", dxf(rows)), 1)
+        self.assertIn("Gaps between the curves of the drawing were closed", printed)
+        short = [line((20, 0), (20.001, 0)), line((20.001, 0), (20.002, 0))]
+        _, printed = self.accept(self.write("short.dxf", dxf(rows[:3] + [line((0, 3), (0, 0))] + short)), 1, "--join-tolerance", "0.003")
+        self.assertIn("1 curves of the drawing that are about as short as the gap", printed)
+
+    def test_a_layer_that_is_closed_is_offered(self):
+        self.write("scored.dxf", dxf(plate() + [line((0.1, 0.1), (0.9, 0.1), "score")]))
+        self.refuse("quads", "scored.dxf", "-o", "a.vtu", says=["--drawing-layer 'hole' --drawing-layer 'wall')"])
+        result = self.run_program("quads", "scored.dxf", "-o", "a.vtu", "--quads", "100", "--drawing-layer", "hole", "--drawing-layer", "wall")
+        self.assertEqual((result.returncode, result.stderr), (0, "Warning: 1 curve on another layer was left out.\n"))
+
+    def test_the_page_of_a_drawing_is_named(self):
+        self.write("page.svg", """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 20">
+<rect width="40" height="20"/><circle cx="10" cy="10" r="5"/></svg>""")
+        result = self.run_program("quads", "page.svg", "-o", "a.vtu", "--quads", "100")
+        self.assertIn("The edges of the page, the rect of line 2, are the outer boundary", result.stderr)
+
+    def test_parts_have_one_number_of_quads(self):
+        """A share of one quad is no request; sides without an edge are named."""
+        self.write("two.dxf", dxf(plate() + [circle((9, 9), 0.02)]))
+        report = json.loads(self.run_program("quads", "two.dxf", "-o", "a.vtu", "--quads", "400", "--json", "-").stdout)
+        self.assertEqual([text for text in report.get("warnings", []) if "No number of quads" in text], [])
+        chamfers = [(0, 0), (9.9, 0), (10, 0.05), (10, 5), (0, 5)]
+        self.write("chamfer.dxf", dxf([line(a, b) for a, b in zip(chamfers, chamfers[1:] + chamfers[:1])]))
+        report = json.loads(self.run_program("quads", "chamfer.dxf", "-o", "a.vtu", "--quads", "50", "--json", "-").stdout)
+        lost = [side["name"] for side in report["sides"] if side["edges"] == 0]
+        named = [text for text in report.get("warnings", []) if "have no edge" in text]
+        self.assertEqual(len(named), 1 if lost else 0)
+
     def test_files_of_triangle_and_off(self):
         corpus = pathlib.Path(__file__).parents[1] / "fuzz/corpus"
         report = json.loads(self.succeed("quads", corpus / "poly/plate.poly", "-o", "a.vtu", "--quads", "100", "--json", "-"))

@@ -116,14 +116,28 @@ S
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_prisms_and_their_faces_carry_a_pressure(self):
         """A cylinder under pressure on all of its outside has the stress −p in all directions."""
-        self.quads("plain.vtp", "a.inp", "--revolve", "90,6")
-        mesh = (self.folder / "a.inp").read_text()
-        self.assertIn("*ELEMENT, TYPE=C3D6, ELSET=domain\n", mesh)
-        loads = [row.replace("S", "P") + ", 1" for side in ("top", "right")
-                 for row in mesh.split(f"*SURFACE, NAME={side}, TYPE=ELEMENT\n")[1].split("*")[0].split("\n")[:-1]]
-        stresses = self.stresses(mesh, ("left, 1, 1", "back, 3, 3", "front, 2, 2"), loads)
-        for stress in stresses:
-            self.assertLess(max(abs(s + 1) for s in stress[:3]), 0.02, "the polygon is loaded on its facets")
+        for order, element in (("1", "C3D6"), ("2", "C3D15")):
+            self.quads("plain.vtp", "a.inp", "--revolve", "90,6", "--order", order)
+            mesh = (self.folder / "a.inp").read_text()
+            self.assertIn("*ELEMENT, TYPE=%s, ELSET=domain\n" % element, mesh)
+            loads = [row.replace("S", "P") + ", 1" for side in ("top", "right")
+                     for row in mesh.split(f"*SURFACE, NAME={side}, TYPE=ELEMENT\n")[1].split("*")[0].split("\n")[:-1]]
+            stresses = self.stresses(mesh, ("left, 1, 1", "back, 3, 3", "front, 2, 2"), loads)
+            for stress in stresses:
+                self.assertLess(max(abs(s + 1) for s in stress[:3]), 0.02, "the polygon is loaded on its facets")
+
+    @unittest.skipUnless(shutil.which("gmsh"), "Gmsh is not installed")
+    def test_gmsh_reads_prisms_of_order_2(self):
+        """Volume of a cylinder, and no element that Gmsh finds inverted."""
+        report = self.quads("plain.vtp", "b.msh", "--revolve", "360,12", "--order", "2")
+        mesh = meshio.read(self.folder / "b.msh")
+        self.assertEqual(len(mesh.cells_dict["hexahedron27"]) + len(mesh.cells_dict["wedge18"]), 12 * report["quads"])
+        plugin = "Plugin(MeshVolume)."
+        (self.folder / "b.geo").write_text('Merge "b.msh";\n%sPhysicalGroup = -1;\n%sDimension = 3;\n%sRun;\nSave View[0] "volume.txt";\n'
+                                           % (plugin, plugin, plugin))
+        subprocess.run(["gmsh", "-", "b.geo"], cwd=self.folder, check=True, capture_output=True)
+        volume_of_gmsh = float((self.folder / "volume.txt").read_text().split()[-1])
+        self.assertLess(abs(volume_of_gmsh / (math.pi * 4 * 3) - 1), 3e-4, "straight edges would lose 5 %")
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_example_of_a_bracket(self):
@@ -151,4 +165,4 @@ S
             self.assertFalse((self.folder / "a.vtu").exists())
         write_domain(self.folder / "crossing.vtp", [[(0, -1, "a"), (3, -1, "b"), (3, 1, "c"), (0, 1, "d")]])
         self.refuse("quads", "crossing.vtp", "-o", "a.vtu", "--revolve", "90", says=["both sides of the axis"])
-        self.refuse("quads", "plain.vtp", "-o", "a.vtu", "--revolve", "90", "--order", "2", says=["prisms of order 2"])
+        self.refuse("quads", "plain.vtp", "-o", "a.ex2", "--revolve", "90", "--order", "2", says=["prisms of order 2"])

@@ -36,7 +36,8 @@ struct Drawing
   std::vector<std::string> warnings; ///< One sentence each.
   DomainPlane plane;                 ///< Of the coordinates.
 
-  /// Sets the plane, that of points, with a warning if it flattens them. Throws Error as DomainPlane::Find does.
+  /// Sets the plane, that of points, with a warning if it flattens them. Throws Error as
+  /// DomainPlane::Find does.
   void FindPlane(const Eigen::Matrix3Xd& points);
 };
 

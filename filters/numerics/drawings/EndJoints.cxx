@@ -41,6 +41,7 @@ EndJoints::EndJoints(
     this->Used[piece] = true;
   }
   this->JoinExactly();
+  this->LeaveOutClosures(tolerance);
   this->JoinWithin(tolerance);
   this->LeaveOutShort(tolerance);
 }
@@ -117,17 +118,53 @@ void EndJoints::JoinWithin(double tolerance)
     grid.Add(place, end);
   }
   std::sort(pairs.begin(), pairs.end());
-  for (const auto& [distance, a, b] : pairs)
+  for (const auto& [unused, a, b] : pairs)
   {
     if (this->IsOpen(a) && this->IsOpen(b))
     {
-      this->Join(a, b);
-      ++this->Gaps;
-      if (distance > this->Widest)
-      {
-        this->Widest = distance;
-        this->WidestPlace = this->PlaceOf(a);
-      }
+      this->JoinGap(a, b);
+    }
+  }
+}
+
+void EndJoints::JoinGap(Index a, Index b)
+{
+  this->Join(a, b);
+  ++this->Gaps;
+  const double distance = (this->PlaceOf(a) - this->PlaceOf(b)).norm();
+  if (distance > this->Widest)
+  {
+    this->Widest = distance;
+    this->WidestPlace = this->PlaceOf(a);
+  }
+}
+
+void EndJoints::LeaveOutClosures(double tolerance)
+{
+  constexpr double MuchLonger = 10.0; // segments of fine polylines are not
+  const auto neighbourOf = [this](Index end)
+  {
+    const std::vector<Index>& members = this->Members[this->GroupOf[end]];
+    return members.size() != 2 ? end : members[members[0] == end ? 1 : 0];
+  };
+  for (const std::size_t piece : this->Given)
+  {
+    const DrawingPiece& line = this->Pieces[piece];
+    const Index before = neighbourOf(2 * piece);
+    const Index after = neighbourOf(2 * piece + 1);
+    const double length = (line.last - line.first).norm();
+    const auto isLong = [&](Index end)
+    {
+      return end / 2 != piece && this->Used[end / 2] &&
+        ApproximateLength(this->Pieces[end / 2]) > MuchLonger * length;
+    };
+    if (line.curve.kind == PlaneCurve::Kind::Line && length <= tolerance && isLong(before) &&
+      isLong(after))
+    {
+      this->Used[piece] = false;
+      this->Members[this->GroupOf[before]] = { before };
+      this->Members[this->GroupOf[after]] = { after };
+      this->JoinGap(before, after);
     }
   }
 }
@@ -162,7 +199,8 @@ void EndJoints::RequireClosed() const
       throw Error("More than two curves of the drawing meet at " +
         Describe(this->PlaceOf(members[0])) + ", among them " +
         this->Pieces[members[0] / 2].origin + ", " + this->Pieces[members[1] / 2].origin + " and " +
-        this->Pieces[members[2] / 2].origin + "; remove those that are no part of the boundary.");
+        this->Pieces[members[2] / 2].origin + "; remove those that are no part of the boundary" +
+        this->OfferLayers() + ".");
     }
   }
   const std::vector<Index> open = this->OpenEnds();
@@ -234,6 +272,31 @@ double EndJoints::ToleranceThatCloses() const
   return wider.IsClosed() && wider.Short == this->Short ? rounded : 0.0;
 }
 
+std::string EndJoints::OfferLayers() const
+{
+  std::map<std::string, std::vector<std::size_t>> layers;
+  for (const std::size_t piece : this->Given)
+  {
+    layers[this->Pieces[piece].name].push_back(piece);
+  }
+  std::vector<std::size_t> closed;
+  std::string names;
+  std::string options;
+  for (const auto& [name, pieces] : layers)
+  {
+    if (EndJoints(this->Pieces, pieces, this->Tolerance).IsClosed())
+    {
+      closed.insert(closed.end(), pieces.begin(), pieces.end());
+      const std::string quoted = "'" + (name.empty() ? "0" : name) + "'"; // as in KeepLayers
+      names += (names.empty() ? "" : ", ") + quoted;
+      options += " --drawing-layer " + quoted;
+    }
+  }
+  return closed.empty() || !EndJoints(this->Pieces, closed, this->Tolerance).IsClosed()
+    ? std::string()
+    : ", or use the layers " + names + " alone (Layers," + options + ")";
+}
+
 void EndJoints::ReportOpen(Index end) const
 {
   const Point& place = this->PlaceOf(end);
@@ -245,14 +308,16 @@ void EndJoints::ReportOpen(Index end) const
       "; close the gap there, or set the join tolerance to " + FormatNumber(tolerance) +
       ", which closes all gaps.");
   }
+  const std::string layer = this->OfferLayers();
   const long under = this->PieceUnder(end);
   if (under >= 0)
   {
     throw Error("At " + Describe(place) + " " + origin + " ends on " + this->Pieces[under].origin +
-      "; remove what is no part of the boundary.");
+      "; remove what is no part of the boundary" + layer + ".");
   }
   throw Error("The drawing is open at " + Describe(place) + ", an end of " + origin +
-    ", and no other open end is near; draw the missing part of the boundary, or remove this one.");
+    ", and no other open end is near; draw the missing part of the boundary, or remove this one" +
+    layer + ".");
 }
 
 PieceEnd EndJoints::PartnerOf(const PieceEnd& end) const

@@ -15,7 +15,8 @@ struct PieceEnd
 };
 
 /// The joints between the ends of pieces: ends at exactly the same point, then pairs of other ends
-/// within a tolerance.
+/// within a tolerance. Lines that close such gaps, between pieces that are much longer, are left
+/// out: they may lead back.
 class EndJoints
 {
 public:
@@ -49,12 +50,17 @@ private:
   const Point& PlaceOf(Index end) const;
   bool IsOpen(Index end) const { return this->Members[this->GroupOf[end]].size() == 1; }
   void JoinExactly();
+  void LeaveOutClosures(double tolerance);
   void JoinWithin(double tolerance);
   void Join(Index a, Index b);
+  void JoinGap(Index a, Index b);
   void LeaveOutShort(double tolerance);
   /// Returns the ends of used pieces to which no other end is joined.
   std::vector<Index> OpenEnds() const;
   [[noreturn]] void ReportOpen(Index end) const;
+  /// Returns the end of a remedy that offers the layers whose curves are closed; empty if they are
+  /// none, or not closed together.
+  std::string OfferLayers() const;
   /// Returns the piece on which an open end is located, other than its own; −1 if there is none.
   long PieceUnder(Index end) const;
   /// Returns a tolerance that closes all chains, 0 if none is found.

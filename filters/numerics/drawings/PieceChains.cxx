@@ -198,6 +198,42 @@ std::vector<std::size_t> WithoutCovered(const std::vector<DrawingPiece>& pieces,
   }
   return used;
 }
+
+/// Leaves out chains that a gap closes which is not much shorter than the chain: ways that enclose
+/// nothing.
+void LeaveOutTiny(const std::vector<DrawingPiece>& pieces, double tolerance, PieceChains& result)
+{
+  constexpr double MuchLonger = 4.0;
+  const auto isTiny = [&](const std::vector<ChainedPiece>& chain)
+  {
+    double length = 0.0;
+    double gap = 0.0;
+    for (std::size_t i = 0; i < chain.size(); ++i)
+    {
+      const DrawingPiece& piece = pieces[chain[i].piece];
+      const ChainedPiece& next = chain[(i + 1) % chain.size()];
+      const Point& stop = chain[i].isReversed ? piece.first : piece.last;
+      const Point& start = next.isReversed ? pieces[next.piece].last : pieces[next.piece].first;
+      length += ApproximateLength(piece);
+      gap = std::max(gap, (start - stop).norm());
+    }
+    return gap > 0.0 && length <= MuchLonger * gap && length <= MuchLonger * tolerance;
+  };
+  const auto end = std::remove_if(result.chains.begin(), result.chains.end(), isTiny);
+  const auto count = result.chains.end() - end;
+  if (end == result.chains.begin() && count > 0)
+  {
+    throw Error(
+      "All curves of the drawing are about as short as the gaps that the join tolerance " +
+      FormatNumber(tolerance) + " closes; set it to less (JoinTolerance, --join-tolerance).");
+  }
+  result.chains.erase(end, result.chains.end());
+  if (count > 0)
+  {
+    result.warnings.push_back(std::to_string(count) +
+      " curves of the drawing that are about as short as the gap between their ends were left out.");
+  }
+}
 }
 
 double ExtentOf(const std::vector<DrawingPiece>& pieces)
@@ -252,6 +288,7 @@ PieceChains ChainPieces(const std::vector<DrawingPiece>& pieces, double toleranc
       end = joints.PartnerOf({ end.piece, !end.isLast });
     } while (!visited[end.piece]);
   }
+  LeaveOutTiny(pieces, tolerance, result);
   result.largestGap = joints.LargestGap();
   joints.AddWarnings(result.warnings);
   return result;

@@ -216,21 +216,34 @@ private:
   {
     const auto width = attributes.find("width");
     const auto box = attributes.find("viewBox");
+    if (box != attributes.end())
+    {
+      this->View = SvgNumbers(box->second);
+    }
     if (width == attributes.end() || box == attributes.end())
     {
       return;
     }
-    const std::vector<double> view = SvgNumbers(box->second);
     const double millimetres = SvgMillimetres(width->second);
-    if (view.size() != 4 || !(view[2] > 0.0) || !(millimetres > 0.0))
+    if (this->View.size() != 4 || !(this->View[2] > 0.0) || !(millimetres > 0.0))
     {
       return;
     }
-    const double unit = millimetres / view[2];
+    const double unit = millimetres / this->View[2];
     std::ostringstream text;
     text << unit << " mm";
     // Sizes are written with few digits.
     this->Result.unit = std::abs(unit - 1.0) < 1e-4 ? "mm" : text.str();
+  }
+
+  /// Returns whether lines are the edges of the page.
+  bool IsPage(const std::vector<DrawingPiece>& lines) const
+  {
+    constexpr double Rounding = 1e-6;
+    return this->View.size() == 4 && lines.size() == 4 &&
+      (lines[0].first - Point(this->View[0], this->View[1])).norm() <= Rounding * this->View[2] &&
+      (lines[2].first - lines[0].first - Point(this->View[2], this->View[3])).norm() <=
+      Rounding * this->View[2];
   }
 
   void AddShape(const std::string& element, const SvgAttributes& attributes, const Level& level)
@@ -241,6 +254,10 @@ private:
       std::to_string(LineNumber(this->Parser)) +
       (level.name.empty() ? "" : " ('" + level.name + "')");
     std::vector<DrawingPiece> pieces = SvgShape(element, attributes);
+    if (element == "rect" && level.map == IdentityMap() && this->IsPage(pieces))
+    {
+      this->Page = origin;
+    }
     if (level.isFilled)
     {
       this->Close(pieces);
@@ -260,6 +277,11 @@ private:
     {
       throw Error(
         "The file '" + file + "' has no visible shapes; draw the boundary of the domain.");
+    }
+    if (!this->Page.empty() && this->Result.pieces.size() > 4)
+    {
+      this->Result.warnings.push_back("The edges of the page, " + this->Page +
+        ", are the outer boundary, and shapes in it are holes; remove it if it is a background.");
     }
     if (this->Closed > 0)
     {
@@ -285,7 +307,9 @@ private:
   bool HasSvg = false;
   std::vector<Level> Levels;
   std::map<std::string, std::size_t> Ignored;
-  std::size_t Closed = 0; ///< Curves that their fill closes.
+  std::vector<double> View; ///< Of the page: left, top, width, height.
+  std::string Page;         ///< The rect that is as large as the page.
+  std::size_t Closed = 0;   ///< Curves that their fill closes.
   Drawing Result;
 };
 }

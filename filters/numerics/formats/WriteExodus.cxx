@@ -1,6 +1,7 @@
 #include "WriteExodus.h"
 
 #include "ElementNodes.h"
+#include "Error.h"
 #include "FormatNames.h"
 #include "NetCdf.h"
 
@@ -129,6 +130,14 @@ void AddSets(const std::vector<std::vector<CellFace>>& sets, const ElementKind& 
 
 std::string WriteExodus(const SolverMesh& mesh)
 {
+  for (int cell = 0; mesh.order > 1 && cell < mesh.CellCount(); ++cell)
+  {
+    if (mesh.CollapsedEdge(cell) >= 0)
+    {
+      throw Error("The format .ex2 has no prisms of order 2, such as that on the axis at " +
+        PlaceOf(mesh, mesh.Cell(cell)[0]) + "; use order 1, or write a .msh, .inp or .vtu file.");
+    }
+  }
   const MeshFaces faces(mesh);
   faces.RequireNoInnerSides(".ex2");
   const bool isPlane = mesh.dimension == 2 && mesh.HasConstantHeight();

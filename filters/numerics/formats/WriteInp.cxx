@@ -119,8 +119,8 @@ void AddSide(const SolverMesh& mesh, const ElementNodes& numbering,
   }
 }
 
-/// Adds the equation u_i = Σ R_ij v_j of the displacements of a node and of the node that it is tied to, for degrees of freedom
-/// from `first` on.
+/// Adds the equation u_i = Σ R_ij v_j of the displacements of a node and of the node that it is
+/// tied to, for degrees of freedom from `first` on.
 void AddEquations(
   const TiedNode& tie, const ElementNodes& numbering, int first, int count, MeshText& text)
 {
@@ -146,7 +146,8 @@ void AddEquations(
   }
 }
 
-/// Adds equations that keep a node on the axis of a rotation, along the unit vector a: u_i − (a_i / a_k) u_k = 0, with the largest |a_k|.
+/// Adds equations that keep a node on the axis of a rotation, along the unit vector a: u_i − (a_i /
+/// a_k) u_k = 0, with the largest |a_k|.
 void AddAxisEquations(
   const TiedNode& tie, const ElementNodes& numbering, int first, int count, MeshText& text)
 {

@@ -2,6 +2,7 @@
 
 #include "ElementNodes.h"
 #include "FormatNames.h"
+#include "Index.h"
 #include "MeshText.h"
 #include "SidePairs.h"
 
@@ -22,9 +23,9 @@ int TypeOf(int dimension, int order)
   return Types[dimension - 1][order - 1];
 }
 
-// The faces and cells of prisms, which have order 1.
-constexpr int GmshTriangle = 2;
-constexpr int GmshPrism = 6;
+// The faces and cells of prisms of order 1 and 2.
+constexpr std::array<int, 2> Triangles = { 2, 9 };
+constexpr std::array<int, 2> Prisms = { 6, 13 };
 
 /// Elements of one type.
 struct Elements
@@ -68,8 +69,10 @@ std::vector<Entity> SidesOf(const SolverMesh& mesh, const MeshFaces& faces,
     for (const CellFace& face : faces.OfSide(side))
     {
       const std::vector<int> nodes = numbering.OfFace(face);
-      const bool isTriangle = mesh.dimension == 3 && nodes.size() == 3;
-      entity.Add(isTriangle ? GmshTriangle : TypeOf(entity.dimension, mesh.order), nodes);
+      const bool isTriangle = mesh.dimension == 3 && nodes.size() % 3 == 0 && nodes.size() < 9;
+      entity.Add(
+        isTriangle ? Triangles[Index(mesh.order - 1)] : TypeOf(entity.dimension, mesh.order),
+        nodes);
     }
     sides.push_back(std::move(entity));
   }
@@ -88,7 +91,8 @@ std::vector<Entity> RegionsOf(
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
     const std::vector<int> nodes = numbering.OfCell(cell);
-    const int type = nodes.size() == 6 ? GmshPrism : TypeOf(mesh.dimension, mesh.order);
+    const bool isPrism = mesh.dimension == 3 && mesh.CollapsedEdge(cell) >= 0;
+    const int type = isPrism ? Prisms[Index(mesh.order - 1)] : TypeOf(mesh.dimension, mesh.order);
     regions[mesh.region[cell]].Add(type, nodes);
   }
   return regions;

@@ -44,8 +44,8 @@ using SegmentNames = std::vector<std::vector<std::string>>;
 
 /// Collects the sides of a domain from the names of its segments. Those without a name are split at
 /// corners, and each piece is a side of its own: `outer0`, `outer1`, ... on the outer loop, `hole0`,
-/// `hole1`, ... on inner loops. Without `names` no segment has a name. Names in `taken`, of other parts of
-/// a domain, are not generated again.
+/// `hole1`, ... on inner loops. Without `names` no segment has a name. Names in `taken`, of other
+/// parts of a domain, are not generated again.
 BoundarySides NameSides(const PlanarDomain& domain, const SegmentNames& names = {},
   const std::vector<std::string>& taken = {});
 

@@ -58,8 +58,8 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   const Vector3d lower = points.rowwise().minCoeff();
   const Vector3d extent = points.rowwise().maxCoeff() - lower;
   plane.Size = extent.norm();
-  // Surfaces that ParaView's filters cut or smoothed leave their plane by about this much. A result in the plane differs by far
-  // less than the size of an element then.
+  // Surfaces that ParaView's filters cut or smoothed leave their plane by about this much. A result
+  // in the plane differs by far less than the size of an element then.
   constexpr double MostDeviation = 1e-4;
   // Coordinates stored in single precision have a relative error of 6e-8.
   constexpr double Flatness = 1e-6;

@@ -26,15 +26,17 @@ public:
   /// Finds the plane of points, given as columns: z = const if z varies by no more than single
   /// precision explains, otherwise the least-squares plane.
   ///
-  /// Throws Error, with the deviation, if the points are farther from the plane than 1e-4 of their size. Points that are not finite
-  /// yield z = 0; a mesh or loops of such points are refused elsewhere.
+  /// Throws Error, with the deviation, if the points are farther from the plane than 1e-4 of their
+  /// size. Points that are not finite yield z = 0; a mesh or loops of such points are refused
+  /// elsewhere.
   static DomainPlane Find(const Eigen::Matrix3Xd& points);
 
   /// Returns whether the plane is z = const. The z coordinates of input that belongs to the domain
   /// are then ignored.
   bool IsHorizontal() const { return this->Normal == Eigen::Vector3d::UnitZ(); }
 
-  /// Returns a warning if points are farther from the plane than rounding explains, otherwise an empty text.
+  /// Returns a warning if points are farther from the plane than rounding explains, otherwise an
+  /// empty text.
   std::string FlatteningWarning() const;
 
   /// Returns the plane coordinates of the orthogonal projection of a point in space.

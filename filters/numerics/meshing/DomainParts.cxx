@@ -25,8 +25,9 @@ std::tuple<double, double> LeftmostOf(const Loop& loop)
   return least;
 }
 
-/// Sorts parts by area, the largest first, and those of the same area from left to right. Areas that differ by
-/// less than simplifying a boundary changes them count as the same, so that a part keeps its number.
+/// Sorts parts by area, the largest first, and those of the same area from left to right. Areas
+/// that differ by less than simplifying a boundary changes them count as the same, so that a part
+/// keeps its number.
 void SortBySize(std::vector<PlanarDomain>& parts)
 {
   constexpr double Difference = 1e-3;

@@ -1,5 +1,7 @@
 #include "ElementNodes.h"
 
+#include "PrismLattice.h"
+
 #include <algorithm>
 
 namespace crossfield
@@ -24,7 +26,7 @@ ElementNodes::ElementNodes(const SolverMesh& mesh, NodeOrder order)
   std::vector<bool> isUsed(mesh.points.size(), false);
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    for (const int position : this->Positions)
+    for (const int position : this->PositionsIn(cell))
     {
       isUsed[mesh.Cell(cell)[position]] = true;
     }
@@ -61,21 +63,15 @@ std::vector<int> ElementNodes::NodesAt(int cell, const std::vector<int>& positio
   return numbers;
 }
 
+std::vector<int> ElementNodes::PositionsIn(int cell) const
+{
+  const int collapsed = this->HasPrisms ? this->Mesh.CollapsedEdge(cell) : -1;
+  return collapsed < 0 ? this->Positions : PrismPositions(this->Mesh.order, collapsed, this->Order);
+}
+
 std::vector<int> ElementNodes::OfCell(int cell) const
 {
-  std::vector<int> nodes = this->NodesAt(cell, this->Positions);
-  const int collapsed = this->HasPrisms ? this->Mesh.CollapsedEdge(cell) : -1;
-  if (collapsed < 0)
-  {
-    return nodes;
-  }
-  const auto bottom = [&](int i) { return nodes[(collapsed + i) % 4]; };
-  const auto top = [&](int i) { return nodes[4 + (collapsed + i) % 4]; };
-  if (this->Order == NodeOrder::Vtk)
-  {
-    return { bottom(0), top(3), bottom(3), bottom(1), top(2), bottom(2) };
-  }
-  return { bottom(0), bottom(3), top(3), bottom(1), bottom(2), top(2) };
+  return this->NodesAt(cell, this->PositionsIn(cell));
 }
 
 std::vector<int> ElementNodes::OfFace(const CellFace& face) const
@@ -83,11 +79,7 @@ std::vector<int> ElementNodes::OfFace(const CellFace& face) const
   std::vector<int> nodes = this->NodesAt(face.cell, this->FacePositions[face.face]);
   if (this->HasPrisms)
   {
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    if (nodes.size() > 1 && nodes.front() == nodes.back())
-    {
-      nodes.pop_back();
-    }
+    KeepTriangle(this->Mesh.order, nodes);
   }
   return nodes;
 }

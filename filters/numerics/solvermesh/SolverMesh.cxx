@@ -56,11 +56,11 @@ const int* SolverMesh::Cell(int cell) const
 
 int SolverMesh::CollapsedEdge(int cell) const
 {
-  const CellLattice lattice(3, 1);
+  const CellLattice lattice(3, this->order);
   const int* nodes = this->Cell(cell);
   const auto isRepeated = [&](int corner)
   { return nodes[lattice.Corner(corner % 4)] == nodes[lattice.Corner(4 + corner % 4)]; };
-  for (int edge = 0; this->dimension == 3 && this->order == 1 && edge < 4; ++edge)
+  for (int edge = 0; this->dimension == 3 && edge < 4; ++edge)
   {
     if (isRepeated(edge) && isRepeated(edge + 1))
     {

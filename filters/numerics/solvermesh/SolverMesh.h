@@ -103,7 +103,7 @@ struct SolverMesh
   int FaceCount() const { return static_cast<int>(this->side.size()); }
   /// Returns the nodes of a cell.
   const int* Cell(int cell) const;
-  /// Returns whether a hexahedron of order 1 is a prism: two neighbouring corners of the bottom are also
+  /// Returns whether a hexahedron is a prism: two neighbouring corners of the bottom are also
   /// the corners above them. Returns the first of them, 0 to 3, or −1.
   int CollapsedEdge(int cell) const;
   bool HasConstantHeight() const; ///< Whether all points have the same z.

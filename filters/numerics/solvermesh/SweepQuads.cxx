@@ -242,23 +242,25 @@ private:
     const CellLattice lattice(2, quads.order);
     for (int cell = 0; cell < quads.CellCount(); ++cell)
     {
-      std::array<bool, 4> onAxis{};
-      for (int corner = 0; corner < 4; ++corner)
+      const int* nodes = quads.Cell(cell);
+      const auto onAxis = std::count_if(
+        nodes, nodes + quads.NodesOfCell(), [&](int node) { return places.IsOnAxis(node); });
+      bool hasEdge = false; // on the axis
+      for (int face = 0; face < lattice.FaceCount(); ++face)
       {
-        onAxis[corner] = places.IsOnAxis(quads.Cell(cell)[lattice.Corner(corner)]);
+        const std::vector<int> edge = lattice.Face(face);
+        hasEdge = hasEdge ||
+          std::all_of(edge.begin(), edge.end(),
+            [&](int position) { return places.IsOnAxis(nodes[position]); });
       }
-      const auto count = std::count(onAxis.begin(), onAxis.end(), true);
-      const auto first = std::find(onAxis.begin(), onAxis.end(), true) - onAxis.begin();
-      if (count == 0 || (quads.order == 1 && count == 2 && onAxis[0] != onAxis[2]))
+      if (onAxis == 0 || (hasEdge && onAxis == quads.order + 1))
       {
-        continue; // beside the axis, or with an edge on it
+        continue;
       }
-      const std::string place =
-        PlaceOf(quads, quads.Cell(cell)[lattice.Corner(static_cast<int>(first))]);
-      throw Error(quads.order > 1 ? "The quads touch the axis at " + place +
-            ", and prisms of order 2 cannot be written; use order 1."
-                                  : "A quad touches the axis at " + place +
-            " with other than one edge; let no singularity be on the axis, or use smaller quads.");
+      const int* first = std::find_if(
+        nodes, nodes + quads.NodesOfCell(), [&](int node) { return places.IsOnAxis(node); });
+      throw Error("A quad touches the axis at " + PlaceOf(quads, *first) +
+        " with other than one edge; let no singularity be on the axis, or use smaller quads.");
     }
   }
 

@@ -36,11 +36,11 @@ struct Sweep
 /// layer, and the faces of back and front are the last.
 /// Periodic sides stay so after a translation, and after a revolution if the motion is along its axis.
 ///
-/// A quad with an edge on the axis becomes a prism: a hexahedron of order 1 in which the two ends of
-/// the edge are also the corners above them.
+/// A quad with an edge on the axis becomes a prism: a hexahedron in which the nodes of
+/// the edge are also those above them.
 ///
 /// Throws Error if a number is out of its range, there are no quads, the quads are not in a plane, have
-/// order 3, or for a rotation have not one z, are on both sides of the axis, touch it in a node of a quad
-/// without an edge on it, or touch it and have order 2. Source: docs/method.md, section 20.
+/// order 3, or for a rotation have not one z, are on both sides of the axis, or touch it in a node
+/// of a quad without an edge on it. Source: docs/method.md, section 20.
 SolverMesh SweepQuads(const SolverMesh& quads, const Sweep& sweep);
 }

@@ -1,6 +1,7 @@
 #include "JoinedParts.h"
 
 #include "Error.h"
+#include "QuadAdvice.h"
 #include "QuadWorkflow.h"
 
 #include <algorithm>
@@ -351,6 +352,14 @@ QuadWorkflowResult MakeQuadsOfParts(
     }
     done = end;
   }
-  return joined.Get();
+  QuadWorkflowResult result = joined.Get();
+  const bool isPrescribed =
+    !request.sideRequests.empty() || request.minimumSize > 0.0 || request.maximumSize > 0.0;
+  const std::string warning = DescribeCount(request, isPrescribed, result.quads);
+  if (!warning.empty())
+  {
+    result.warnings.push_back(warning);
+  }
+  return result;
 }
 }

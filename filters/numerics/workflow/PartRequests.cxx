@@ -87,6 +87,7 @@ std::vector<PartRequest> SplitRequest(
     const auto isHere = [&](const Point& place) { return partAt(place) == p; };
     const auto hasSide = [&](const std::string& name) { return parts[p].sides.Find(name) >= 0; };
     QuadRequest& own = result[p].request;
+    own.isPart = true;
     own.sides = parts[p].sides;
     own.givenCurves = parts[p].curves;
     result[p].share = weights[p] / sum;

@@ -164,6 +164,43 @@ std::string DescribeInverted(
   return text.str();
 }
 
+std::string DescribeCount(const QuadRequest& request, bool isPrescribed, const QuadResult& quads)
+{
+  if (CountExcess(quads, request.quadSize, request.quadCount) <= 0.0)
+  {
+    return {};
+  }
+  return "No number of quads within 5 % of " + std::to_string(request.quadCount) +
+    " was found for these separatrices" +
+    (isPrescribed ? " and the prescribed numbers and sizes of edges; " : "; ") +
+    std::to_string(quads.mesh.quads.size()) + " is the nearest; request another number" +
+    (isPrescribed ? ", or prescribe others." : ".");
+}
+
+std::string DescribeLostSides(const QuadMesh& mesh)
+{
+  std::vector<int> edges(mesh.sideNames.size(), 0);
+  for (const QuadBoundaryEdge& edge : mesh.boundary)
+  {
+    if (edge.side >= 0)
+    {
+      ++edges[static_cast<std::size_t>(edge.side)];
+    }
+  }
+  const auto lost = std::count(edges.begin(), edges.end(), 0);
+  if (lost == 0)
+  {
+    return {};
+  }
+  const auto first = std::find(edges.begin(), edges.end(), 0) - edges.begin();
+  const std::string& name = mesh.sideNames[static_cast<std::size_t>(first)];
+  return std::to_string(lost) + " of " + std::to_string(edges.size()) + " sides, such as '" + name +
+    "', have no edge, and edges beside them cut across; prescribe a number of edges for them (--count " +
+    name +
+    ":1, Count of a side), or smaller quads if these are larger than the sides"
+    " (QuadSize, --size).";
+}
+
 std::string DescribeSizes(const ResolvedRequest& request, const QuadResult& quads)
 {
   const QuadMesh& mesh = quads.mesh;

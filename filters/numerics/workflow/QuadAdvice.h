@@ -63,6 +63,14 @@ std::string CountInverted(const QuadQuality& quality);
 std::string DescribeInverted(
   const QuadQuality& quality, const SizeTrials& smaller, bool singularitiesAreGiven);
 
+/// Returns a warning if the number of quads is not the requested one within the tolerance,
+/// otherwise an empty text. `isPrescribed`: there are prescriptions that it may follow from.
+std::string DescribeCount(const QuadRequest& request, bool isPrescribed, const QuadResult& quads);
+
+/// Returns a warning about sides that have no edges, because quads are larger, otherwise an empty
+/// text.
+std::string DescribeLostSides(const QuadMesh& mesh);
+
 /// Returns a sentence about very different sizes of quads, which have a standard deviation of more than
 /// their mean, or 1 in their logarithms, and the option that may make them more equal; an empty text for
 /// others, or if the request prescribes sizes.

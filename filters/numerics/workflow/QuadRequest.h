@@ -63,6 +63,8 @@ struct QuadRequest
   bool split = false;
   BlockMerge merge = BlockMerge::None;
 
+  bool isPart = false; ///< Of a domain with several: the number of quads of all of them matters.
+
   double layerDistance =
     1.0; ///< Factor of the distance that chosen singularities keep from layers.
 };

@@ -46,18 +46,13 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
   {
     result.warnings.push_back(result.optimum->reason);
   }
-  if (CountExcess(result.quads, request.quadSize, request.quadCount) > 0.0)
-  {
-    const bool isPrescribed =
-      !request.prescribed.empty() || request.minimumSize > 0.0 || request.maximumSize > 0.0;
-    result.warnings.push_back("No number of quads within 5 % of " +
-      std::to_string(request.quadCount) + " was found for these separatrices" +
-      (isPrescribed ? " and the prescribed numbers and sizes of edges; " : "; ") +
-      std::to_string(result.quads.mesh.quads.size()) + " is the nearest; request another number" +
-      (isPrescribed ? ", or prescribe others." : "."));
-  }
-  for (const std::string& warning : { DescribeSizes(request, result.quads),
-         DescribeArea(result.quads), DescribeWorstQuad(result.quads.mesh, result.quads.quality) })
+  const bool isPrescribed =
+    !request.prescribed.empty() || request.minimumSize > 0.0 || request.maximumSize > 0.0;
+  for (const std::string& warning :
+    { request.isPart ? std::string() : DescribeCount(request, isPrescribed, result.quads),
+      DescribeSizes(request, result.quads), DescribeArea(result.quads),
+      DescribeLostSides(result.quads.mesh),
+      DescribeWorstQuad(result.quads.mesh, result.quads.quality) })
   {
     if (!warning.empty())
     {

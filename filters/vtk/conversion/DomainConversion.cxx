@@ -151,7 +151,10 @@ vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
   return clean->GetOutput();
 }
 
-/** Throws crossfield::Error if surface cells overlap, which the boundary of their parts does not show. */
+/**
+ * Throws crossfield::Error if surface cells overlap, which the boundary of their parts does not
+ * show.
+ */
 void RequireCoveredOnce(vtkPolyData* surface, const std::vector<DomainConversion::Domain>& parts)
 {
   double area = 0.0;

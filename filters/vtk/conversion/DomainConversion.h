@@ -39,8 +39,8 @@ crossfield::DomainPlane FindPlane(vtkDataSet* input);
 
 /**
  * Reads a domain from lines along its boundary, or from surface cells, which must cover it exactly
- * once. Points closer than 1e-9 of the diagonal of the bounding box are merged. If the domain is flattened
- * (DomainPlane::FlatteningWarning), `self`, unless it is null, prints the warning.
+ * once. Points closer than 1e-9 of the diagonal of the bounding box are merged. If the domain is
+ * flattened (DomainPlane::FlatteningWarning), `self`, unless it is null, prints the warning.
  */
 Domain ReadDomain(vtkDataSet* input, vtkObject* self);
 

@@ -10,9 +10,8 @@ class vtkDataSet;
 namespace SegmentCurveConversion
 {
 /**
- * Reads the curves of the segments of a domain from the arrays of its lines (CurveConversion.h), without curves that no
- * segment has.
- * Throws crossfield::Error as CurveConversion::ReadCurves does.
+ * Reads the curves of the segments of a domain from the arrays of its lines (CurveConversion.h),
+ * without curves that no segment has. Throws crossfield::Error as CurveConversion::ReadCurves does.
  */
 crossfield::CurvesOfSegments Read(vtkDataSet* input, const DomainConversion::Domain& domain);
 

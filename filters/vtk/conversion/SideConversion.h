@@ -31,11 +31,11 @@ namespace SideConversion
 std::string FindArray(vtkDataSet* input, const std::string& requested);
 
 /**
- * Reads the sides of each part of a domain from a cell array of its lines: of its curves, or, beside surface
- * cells, of lines along their boundary. Integers are read as their decimal text. Segments of the
- * boundary without a line, and lines with an empty string, have no name (see crossfield::NameSides);
- * lines inside the domain are ignored. Throws crossfield::Error as FindArray does, or if a
- * requested array names no segment.
+ * Reads the sides of each part of a domain from a cell array of its lines: of its curves, or,
+ * beside surface cells, of lines along their boundary. Integers are read as their decimal text.
+ * Segments of the boundary without a line, and lines with an empty string, have no name (see
+ * crossfield::NameSides); lines inside the domain are ignored. Throws crossfield::Error as
+ * FindArray does, or if a requested array names no segment.
  */
 std::vector<crossfield::BoundarySides> ReadSides(vtkDataSet* input, const std::string& requested,
   const std::vector<DomainConversion::Domain>& parts);

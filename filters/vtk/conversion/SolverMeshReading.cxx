@@ -3,11 +3,12 @@
 #include "BoundarySides.h"
 #include "CellLoop.h"
 #include "CurveConversion.h"
-#include "ElementNodes.h"
 #include "Error.h"
+#include "Index.h"
 #include "InputCheck.h"
 #include "MeshBlocks.h"
 #include "PeriodicConversion.h"
+#include "PrismLattice.h"
 #include "QuadConversion.h"
 #include "SegmentCurveConversion.h"
 #include "SolverCells.h"
@@ -73,27 +74,34 @@ void RequireBoundaryOf(vtkUnstructuredGrid* quads, vtkPolyData* boundary)
   }
 }
 
-/** Adds the nodes of a cell of a grid as a lattice, given per node its position in it. */
-void AddCell(
-  const CellLoop::Points& ids, int type, const std::vector<int>& order, std::vector<int>& cells)
+/** Returns whether a cell is a triangle, the face of a prism. */
+bool IsTriangle(int type)
+{
+  return type == VTK_TRIANGLE || type == VTK_QUADRATIC_TRIANGLE;
+}
+
+/**
+ * Adds the nodes of a cell of a grid as a lattice of so many nodes, given per node its position in
+ * it.
+ */
+void AddCell(const CellLoop::Points& ids, std::size_t size, const std::vector<int>& positions,
+  std::vector<int>& cells)
 {
   const std::size_t first = cells.size();
-  cells.resize(first + order.size());
-  for (std::size_t node = 0; node < order.size(); ++node)
+  cells.resize(first + size);
+  for (std::size_t node = 0; node < positions.size(); ++node)
   {
-    const vtkIdType number =
-      type == VTK_WEDGE ? crossfield::PrismCorners[node] : static_cast<vtkIdType>(node);
-    cells[first + Index(order[node])] = static_cast<int>(ids[number]);
+    cells[first + Index(positions[node])] = static_cast<int>(ids[static_cast<vtkIdType>(node)]);
   }
 }
 
 /** Adds the corners of a face of a grid. */
-void AddFace(const CellLoop::Points& ids, int corners, std::vector<int>& faces)
+void AddFace(const CellLoop::Points& ids, int type, int corners, std::vector<int>& faces)
 {
   for (int corner = 0; corner < corners; ++corner)
   {
     // A triangle repeats its last corner.
-    faces.push_back(static_cast<int>(ids[std::min<vtkIdType>(corner, ids.Size() - 1)]));
+    faces.push_back(static_cast<int>(ids[IsTriangle(type) && corner == 3 ? 2 : corner]));
   }
 }
 
@@ -200,13 +208,15 @@ SolverMesh Read(vtkUnstructuredGrid* grid)
     });
   auto* sides = vtkStringArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(names::Side));
   std::map<std::string, int> numbers;
-  std::vector<int> order; // per node in VTK's order, its position in the lattice
+  // Per node in VTK's order, its position in the lattice.
+  std::vector<int> order;
+  std::vector<int> prism;
   CellLoop::ForEachCell(grid,
     [&](vtkIdType cell, int type, const CellLoop::Points& ids)
     {
       const auto* kind = kindOf(type);
       const bool isKnown = kind != Kinds.end() && kind->points == ids.Size();
-      const bool isCell = isKnown && kind->dimension == mesh.dimension && type != VTK_TRIANGLE;
+      const bool isCell = isKnown && kind->dimension == mesh.dimension && !IsTriangle(type);
       const bool isFace = isKnown && kind->dimension == mesh.dimension - 1;
       if ((!isCell && !isFace) || (mesh.order != 0 && kind->order != mesh.order))
       {
@@ -219,10 +229,16 @@ SolverMesh Read(vtkUnstructuredGrid* grid)
         mesh.order = kind->order;
         order =
           crossfield::CellLattice(mesh.dimension, mesh.order).OrderFor(crossfield::NodeOrder::Vtk);
+        prism = crossfield::PrismPositions(mesh.order, 0, crossfield::NodeOrder::Vtk);
       }
       if (isCell)
       {
-        AddCell(ids, type, order, mesh.cells);
+        const bool isPrism = type == VTK_WEDGE || type == VTK_BIQUADRATIC_QUADRATIC_WEDGE;
+        AddCell(ids, order.size(), isPrism ? prism : order, mesh.cells);
+        if (isPrism)
+        {
+          crossfield::FillPrismLattice(mesh.order, &mesh.cells[mesh.cells.size() - order.size()]);
+        }
         mesh.region.push_back(0);
         mesh.sources.cells.push_back(static_cast<int>(cell));
         return;
@@ -232,7 +248,7 @@ SolverMesh Read(vtkUnstructuredGrid* grid)
         throw Error("The boundary edges have no cell array Side of strings; give the quads of a "
                     "Quad Mesher.");
       }
-      AddFace(ids, mesh.CornersOfFace(), mesh.faces);
+      AddFace(ids, type, mesh.CornersOfFace(), mesh.faces);
       mesh.side.push_back(SideOf(sides->GetValue(cell), numbers, mesh));
       mesh.sources.faces.push_back(static_cast<int>(cell));
     });

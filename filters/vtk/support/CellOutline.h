@@ -24,7 +24,10 @@ struct Outline
  */
 Outline Of(int type, const CellLoop::Points& points);
 
-/** Calls work(corners) for each triangle of a strip. Strips that were joined repeat points, which give none. */
+/**
+ * Calls work(corners) for each triangle of a strip. Strips that were joined repeat points, which
+ * give none.
+ */
 template <class Work>
 void ForEachTriangle(const CellLoop::Points& strip, const Work& work)
 {
@@ -39,8 +42,8 @@ void ForEachTriangle(const CellLoop::Points& strip, const Work& work)
 }
 
 /**
- * Calls work(cell, type, points) for every cell of a data set, those of higher order as Of, and for each triangle of a
- * strip.
+ * Calls work(cell, type, points) for every cell of a data set, those of higher order as Of, and for
+ * each triangle of a strip.
  */
 template <class Work>
 void ForEachCell(vtkDataSet* data, const Work& work)

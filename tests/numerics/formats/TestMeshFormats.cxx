@@ -382,7 +382,8 @@ TEST(MeshFormats, RefusesWhatAFormatCannotHave)
 
 TEST(MeshFormats, PointsOfPeriodicSidesAreTiedToOne)
 {
-  // Sides left and right, bottom and top: the four corners are one point, which is the only one that is not tied.
+  // Sides left and right, bottom and top: the four corners are one point, which is the only one
+  // that is not tied.
   SolverMesh square = LatticeMesh(2, 2, 3, 2, 5).Mesh;
   SidePair across{ 3, 1, Eigen::Matrix4d::Identity() };
   SidePair along{ 0, 2, Eigen::Matrix4d::Identity() };
