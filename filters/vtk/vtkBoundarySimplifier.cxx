@@ -1,8 +1,6 @@
 #include "vtkBoundarySimplifier.h"
 
 #include "BoundaryCorners.h"
-#include "ColumnWriting.h"
-#include "CurveConversion.h"
 #include "DomainConversion.h"
 #include "DrilledMeshConversion.h"
 #include "Error.h"
@@ -14,16 +12,14 @@
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SideText.h"
+#include "SimplifiedBoundary.h"
 #include "SmoothBoundary.h"
 #include "ThinBoundary.h"
-#include "UsedPoints.h"
 #include "vtkCrossFieldArrayNames.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -33,7 +29,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -42,18 +37,6 @@ vtkStandardNewMacro(vtkBoundarySimplifier);
 
 namespace
 {
-/** A part of a domain, with its sides and curves, before and after simplification. */
-struct SimplePart
-{
-  DomainConversion::Domain given;
-  DomainConversion::Domain simple;
-  crossfield::BoundarySides sides;
-  crossfield::CurvedBoundary boundary;
-  double moved = 0.0;
-
-  bool IsChanged() const { return this->simple.domain.loops != this->given.domain.loops; }
-};
-
 /** Properties of the filter. */
 struct Options
 {
@@ -64,16 +47,6 @@ struct Options
   std::vector<std::pair<std::string, double>> sideSizes;
   std::vector<std::string> keptSides;
 };
-
-int CountPoints(const crossfield::PlanarDomain& domain)
-{
-  int count = 0;
-  for (const crossfield::Loop& loop : domain.loops)
-  {
-    count += static_cast<int>(loop.size());
-  }
-  return count;
-}
 
 /** Returns whether lines can be written to data of this type. */
 bool CanHaveLines(vtkDataSet* data)
@@ -101,35 +74,6 @@ void PassThrough(vtkDataSet* input, vtkDataSet* output)
   output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryRemovedCorners);
   output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryMoved);
   output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryPoints);
-}
-
-/**
- * Copies the point arrays of the input to `points`, each from the nearest point that a cell uses.
- */
-void CopyNearestArrays(vtkDataSet* input, vtkPoints* points, vtkPointData* arrays)
-{
-  if (input->GetPointData()->GetNumberOfArrays() == 0)
-  {
-    return;
-  }
-  const UsedPoints used(input);
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  for (const vtkIdType id : used.GetIds())
-  {
-    places->InsertNextPoint(input->GetPoint(id));
-  }
-  vtkNew<vtkPolyData> nearby;
-  nearby->SetPoints(places);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(nearby);
-  locator->BuildLocator();
-  arrays->CopyAllocate(input->GetPointData(), points->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    const vtkIdType nearest = locator->FindClosestPoint(points->GetPoint(i));
-    arrays->CopyData(input->GetPointData(), used.GetIds()[nearest], i);
-  }
 }
 
 /** Returns points to keep with the vertices on curves, which smoothing must not move. */
@@ -240,7 +184,8 @@ std::vector<crossfield::Point> KeptPoints(
 }
 
 /** Thins and smooths a part, except at points to keep, ends of sides and curves. */
-void Simplify(const Options& options, std::vector<crossfield::Point> kept, SimplePart& part)
+void Simplify(
+  const Options& options, std::vector<crossfield::Point> kept, SimplifiedBoundary::Part& part)
 {
   const crossfield::PlanarDomain& given = part.given.domain;
   for (const std::vector<crossfield::Point>& more :
@@ -277,134 +222,6 @@ void Simplify(const Options& options, std::vector<crossfield::Point> kept, Simpl
   }
 }
 
-/**
- * Adds one polyline per loop of a part, or per piece of a side or a curve. `names` is absent if
- * sides have no names.
- */
-void AddLoops(const SimplePart& part, vtkPoints* points, vtkCellArray* lines, vtkStringArray* names,
-  CurveConversion::CellCurves& cellCurves)
-{
-  const std::vector<crossfield::Loop>& loops = part.simple.domain.loops;
-  const std::vector<crossfield::LoopArc> arcs(loops.begin(), loops.end());
-  const crossfield::SidesAlong along(part.sides, arcs);
-  const auto middle = [&](std::size_t loop, std::size_t segment)
-  { return 0.5 * (arcs[loop].Start(segment) + arcs[loop].Start(segment + 1)); };
-  const auto nameAt = [&](std::size_t loop, std::size_t segment)
-  {
-    const int side = along.At(loop, middle(loop, segment));
-    return side < part.sides.given ? part.sides.names[side] : std::string();
-  };
-  const crossfield::CurvesAlong curvesAlong(part.boundary, arcs);
-  const auto first = static_cast<int>(cellCurves.curves.size());
-  const auto curveAt = [&](std::size_t loop, std::size_t segment)
-  {
-    const int curve = curvesAlong.At(loop, middle(loop, segment));
-    return curve < 0 ? -1 : first + curve;
-  };
-  cellCurves.curves.insert(
-    cellCurves.curves.end(), part.boundary.curves.begin(), part.boundary.curves.end());
-  for (std::size_t l = 0; l < arcs.size(); ++l)
-  {
-    const vtkIdType start = points->GetNumberOfPoints();
-    std::vector<vtkIdType> piece;
-    for (std::size_t i = 0; i < loops[l].size(); ++i)
-    {
-      piece.push_back(points->InsertNextPoint(part.simple.plane.ToSpace(loops[l][i]).data()));
-      const bool isLast = i + 1 == loops[l].size();
-      if (isLast || (names != nullptr && nameAt(l, i) != nameAt(l, i + 1)) ||
-        curveAt(l, i) != curveAt(l, i + 1))
-      {
-        piece.push_back(isLast ? start : points->GetNumberOfPoints());
-        lines->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
-        if (names != nullptr)
-        {
-          names->InsertNextValue(nameAt(l, i));
-        }
-        cellCurves.ofCell.push_back(curveAt(l, i));
-        piece.clear();
-      }
-    }
-  }
-}
-
-/**
- * Writes the loops of all parts with the arrays of the nearest points of the input, and the array
- * of the names of sides unless that has no name.
- */
-void WriteLoops(const std::vector<SimplePart>& parts, const std::string& array, vtkDataSet* input,
-  vtkDataSet* output)
-{
-  vtkNew<vtkStringArray> sideNames;
-  sideNames->SetName(array.c_str());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  CurveConversion::CellCurves cellCurves;
-  for (const SimplePart& part : parts)
-  {
-    AddLoops(part, points, lines, array.empty() ? nullptr : sideNames.Get(), cellCurves);
-  }
-  if (auto* curves = vtkPolyData::SafeDownCast(output))
-  {
-    curves->SetPoints(points);
-    curves->SetLines(lines);
-  }
-  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(output))
-  {
-    grid->SetPoints(points);
-    grid->SetCells(VTK_POLY_LINE, lines);
-  }
-  CopyNearestArrays(input, points, output->GetPointData());
-  if (!array.empty())
-  {
-    output->GetCellData()->AddArray(sideNames);
-  }
-  SegmentCurveConversion::RemoveCurves(output);
-  if (std::any_of(
-        cellCurves.ofCell.begin(), cellCurves.ofCell.end(), [](int curve) { return curve >= 0; }))
-  {
-    CurveConversion::AddCurves(cellCurves, output);
-  }
-}
-
-/**
- * Writes how far points moved, the numbers of points, and the positions of the corners that the new
- * boundary does not have.
- */
-void WriteChanges(const std::vector<SimplePart>& parts, double cornerAngle, vtkDataSet* output)
-{
-  namespace names = vtkCrossFieldArrayNames;
-  double moved = 0.0;
-  std::vector<int> counts(2);
-  vtkNew<vtkDoubleArray> removed;
-  removed->SetName(names::BoundaryRemovedCorners);
-  removed->SetNumberOfComponents(3);
-  for (const SimplePart& part : parts)
-  {
-    moved = std::max(moved, part.moved);
-    counts[0] += CountPoints(part.given.domain);
-    counts[1] += CountPoints(part.simple.domain);
-    const double rounding = 1e-9 * part.given.domain.Diagonal();
-    const std::vector<crossfield::Corner> after =
-      crossfield::FindCorners(part.simple.domain.loops, cornerAngle);
-    for (const crossfield::Corner& corner :
-      crossfield::FindCorners(part.given.domain.loops, cornerAngle))
-    {
-      if (std::none_of(after.begin(), after.end(),
-            [&](const crossfield::Corner& other)
-            { return (other.position - corner.position).norm() <= rounding; }))
-      {
-        removed->InsertNextTuple(part.given.plane.ToSpace(corner.position).data());
-      }
-    }
-  }
-  ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
-  ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints, counts);
-  if (removed->GetNumberOfTuples() > 0)
-  {
-    output->GetFieldData()->AddArray(removed);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -456,7 +273,7 @@ int vtkBoundarySimplifier::RequestData(
       const std::string array = SideConversion::FindArray(input, this->SideNameArray);
       const std::vector<crossfield::BoundarySides> sides =
         SideConversion::ReadSides(input, this->SideNameArray, given);
-      std::vector<SimplePart> parts;
+      std::vector<SimplifiedBoundary::Part> parts;
       for (std::size_t p = 0; p < given.size(); ++p)
       {
         parts.push_back({ given[p], given[p], sides[p], {}, 0.0 });
@@ -470,7 +287,7 @@ int vtkBoundarySimplifier::RequestData(
       const std::vector<crossfield::Point> kept = KeptPoints(inputVector[1], given[0].plane);
       bool isChanged = false;
       bool hasCurves = false;
-      for (SimplePart& one : parts)
+      for (SimplifiedBoundary::Part& one : parts)
       {
         Simplify(options, kept, one);
         isChanged = isChanged || one.IsChanged();
@@ -487,10 +304,10 @@ int vtkBoundarySimplifier::RequestData(
       {
         vtkWarningMacro(<< warning);
       }
-      WriteLoops(parts, array, input, output);
+      SimplifiedBoundary::WriteLoops(parts, array, input, output);
       if (isChanged)
       {
-        WriteChanges(parts, options.cornerAngle, output);
+        SimplifiedBoundary::WriteChanges(parts, options.cornerAngle, output);
       }
     });
 }

@@ -229,8 +229,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   {
     HolonomyConversion::WriteRepair(*result.repair, plane, report);
   }
-  ColumnWriting::AddIntegers(report, vtkCrossFieldArrayNames::Parts,
-    { *std::max_element(result.part.begin(), result.part.end()) + 1 });
+  ColumnWriting::AddIntegers(report, vtkCrossFieldArrayNames::Parts, { result.PartCount() });
   QuadReport::WriteBlockCounts(result.blocks, report);
   QuadReport::WriteLayers(result.layers, report);
   QuadReport::WriteCurves(result, report);

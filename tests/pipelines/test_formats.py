@@ -216,6 +216,18 @@ U
         for x, y, _ in found.values():
             self.assertLess(abs(math.hypot(x, y) / exact - 1), 2e-3)
 
+    def test_a_node_on_the_axis_stays_there(self):
+        """Two sides of a square are images of each other about their corner, which may not move in the plane."""
+        _, text = self.quads("builtin:square", "a.inp", "--periodic", "outer0:outer1")
+        rows = text.split("*EQUATION\n")[1].splitlines()
+        nodes = dict(row.split(", ", 1) for row in text.split("NSET=NALL\n")[1].split("*")[0].splitlines())
+        single = [row.split(", ") for count, row in zip(rows[::2], rows[1::2]) if count == "1"]
+        self.assertEqual([degree for _, degree, _ in single], ["1", "2"])
+        [corner] = {node for node, _, _ in single}
+        self.assertIn(nodes[corner].split(", ")[0].strip(), ("0", "0.", "2", "2.", "0.0", "2.0"))
+        dependent = [tuple(row.split(", ")[:2]) for row in rows[1::2]]
+        self.assertEqual(len(dependent), len(set(dependent)), "each once")
+
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_reads_shells(self):
         """A clamped strip in a tilted plane under pressure; without lateral contraction the deflection is that of a beam."""

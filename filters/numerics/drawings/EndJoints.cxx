@@ -308,16 +308,16 @@ void EndJoints::ReportOpen(Index end) const
       "; close the gap there, or set the join tolerance to " + FormatNumber(tolerance) +
       ", which closes all gaps.");
   }
-  const std::string layer = this->OfferLayers();
+  const std::string layers = this->OfferLayers();
   const long under = this->PieceUnder(end);
   if (under >= 0)
   {
     throw Error("At " + Describe(place) + " " + origin + " ends on " + this->Pieces[under].origin +
-      "; remove what is no part of the boundary" + layer + ".");
+      "; remove what is no part of the boundary" + layers + ".");
   }
   throw Error("The drawing is open at " + Describe(place) + ", an end of " + origin +
     ", and no other open end is near; draw the missing part of the boundary, or remove this one" +
-    layer + ".");
+    layers + ".");
 }
 
 PieceEnd EndJoints::PartnerOf(const PieceEnd& end) const

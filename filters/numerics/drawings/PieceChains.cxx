@@ -230,8 +230,9 @@ void LeaveOutTiny(const std::vector<DrawingPiece>& pieces, double tolerance, Pie
   result.chains.erase(end, result.chains.end());
   if (count > 0)
   {
-    result.warnings.push_back(std::to_string(count) +
-      " curves of the drawing that are about as short as the gap between their ends were left out.");
+    result.warnings.push_back(
+      "Curves of the drawing about as short as the gap between their ends were left out: " +
+      std::to_string(count) + ".");
   }
 }
 }

@@ -10,12 +10,19 @@ namespace crossfield
 {
 std::vector<TiedNode> TieNodes(const SolverMesh& mesh, const MeshFaces& faces)
 {
-  std::map<int, std::vector<TiedNode>> images; // of each point
+  std::map<int, std::vector<TiedNode>> images; // of each point, but for itself
+  std::map<int, Eigen::Matrix3d> axes;         // rotations that do not move a point
   for (const SidePair& pair : mesh.pairs)
   {
     const Eigen::Matrix3d rotation = pair.motion.topLeftCorner<3, 3>();
     for (const auto& [first, second] : MatchPair(mesh, faces, pair).nodes)
     {
+      if (first == second)
+      {
+        axes.emplace(first, rotation);
+        images[first];
+        continue;
+      }
       images[first].push_back({ second, first, rotation });
       images[second].push_back({ first, second, rotation.transpose() });
     }
@@ -24,11 +31,16 @@ std::vector<TiedNode> TieNodes(const SolverMesh& mesh, const MeshFaces& faces)
   std::set<int> visited;
   for (const auto& [start, unused] : images)
   {
-    std::deque<TiedNode> next;
-    if (visited.insert(start).second)
+    if (!visited.insert(start).second)
     {
-      next.push_back({ start, start, Eigen::Matrix3d::Identity() });
+      continue;
     }
+    const auto axis = axes.find(start);
+    if (axis != axes.end())
+    {
+      ties.push_back({ start, start, axis->second });
+    }
+    std::deque<TiedNode> next = { { start, start, Eigen::Matrix3d::Identity() } };
     for (; !next.empty(); next.pop_front())
     {
       const TiedNode here = next.front();
@@ -38,14 +50,7 @@ std::vector<TiedNode> TieNodes(const SolverMesh& mesh, const MeshFaces& faces)
       }
       for (const TiedNode& image : images[here.node])
       {
-        if (image.node == here.node && here.node == start && !image.rotation.isIdentity())
-        {
-          if (ties.empty() || ties.back().node != start) // not for the way back
-          {
-            ties.push_back({ start, start, image.rotation });
-          }
-        }
-        else if (visited.insert(image.node).second)
+        if (visited.insert(image.node).second)
         {
           next.push_back({ image.node, start, image.rotation * here.rotation });
         }

@@ -16,6 +16,7 @@ namespace crossfield
 namespace
 {
 constexpr std::size_t EntriesOfLine = 16; // most entries of a line of data
+constexpr double Zero = 1e-12;            // entries of rotations below are rounding errors
 
 /// Adds numbers in lines; a line that ends with a comma continues.
 void AddList(const std::vector<int>& numbers, MeshText& text)
@@ -124,7 +125,6 @@ void AddSide(const SolverMesh& mesh, const ElementNodes& numbering,
 void AddEquations(
   const TiedNode& tie, const ElementNodes& numbering, int first, int count, MeshText& text)
 {
-  constexpr double Zero = 1e-12; // up to rounding, an entry of a rotation
   for (int i = 0; i < count; ++i)
   {
     std::vector<int> columns;
@@ -161,7 +161,7 @@ void AddAxisEquations(
       continue;
     }
     const double slope = axis[i] / axis[largest];
-    const bool isSlanted = largest < count && std::abs(slope) > 1e-12;
+    const bool isSlanted = largest < count && std::abs(slope) > Zero;
     text.Add(isSlanted ? "2\n" : "1\n");
     text.Add(numbering.NumberOf(tie.node)).Add(", ").Add(first + i).Add(", 1.");
     if (isSlanted)

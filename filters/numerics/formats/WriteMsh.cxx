@@ -69,7 +69,7 @@ std::vector<Entity> SidesOf(const SolverMesh& mesh, const MeshFaces& faces,
     for (const CellFace& face : faces.OfSide(side))
     {
       const std::vector<int> nodes = numbering.OfFace(face);
-      const bool isTriangle = mesh.dimension == 3 && nodes.size() % 3 == 0 && nodes.size() < 9;
+      const bool isTriangle = mesh.dimension == 3 && nodes.size() == Index(3 * mesh.order);
       entity.Add(
         isTriangle ? Triangles[Index(mesh.order - 1)] : TypeOf(entity.dimension, mesh.order),
         nodes);

@@ -58,8 +58,8 @@ std::vector<Loop> ChainLoops(
     if (neighbours[i][0] != None && neighbours[i][1] == None)
     {
       throw Error("The boundary is an open curve that ends at " + Describe(points[i]) +
-        "; join its ends so that every loop is closed, or, for a contour that ends where its data end, use Iso Volume or Clip "
-        "of the surface.");
+        "; join its ends so that every loop is closed, or, for a contour that ends where its data end, "
+        "use Iso Volume or Clip of the surface.");
     }
   }
 

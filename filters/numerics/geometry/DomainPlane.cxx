@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -58,8 +59,7 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   const Vector3d lower = points.rowwise().minCoeff();
   const Vector3d extent = points.rowwise().maxCoeff() - lower;
   plane.Size = extent.norm();
-  // Surfaces that ParaView's filters cut or smoothed leave their plane by about this much. A result
-  // in the plane differs by far less than the size of an element then.
+  // 1/250 of the default edge length of triangles, a fortieth of the size.
   constexpr double MostDeviation = 1e-4;
   // Coordinates stored in single precision have a relative error of 6e-8.
   constexpr double Flatness = 1e-6;
@@ -91,13 +91,14 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   plane.Offset = 0.5 * (heights.minCoeff() + heights.maxCoeff());
   const double deviation = 0.5 * (heights.maxCoeff() - heights.minCoeff());
   constexpr auto SinglePrecision = static_cast<double>(std::numeric_limits<float>::epsilon());
-  if (deviation > MostDeviation * plane.Size)
+  const double rounding = Flatness * plane.Size + SinglePrecision * reach;
+  if (deviation > std::max(MostDeviation * plane.Size, rounding))
   {
     throw Error("The domain is not planar: its points are up to " + FormatNumber(deviation) +
       " off the nearest plane and its size is " + FormatNumber(plane.Size) +
       "; give a domain that lies in one plane.");
   }
-  if (deviation > Flatness * plane.Size + SinglePrecision * reach)
+  if (deviation > rounding)
   {
     plane.Deviation = deviation;
   }

@@ -27,8 +27,8 @@ public:
   /// precision explains, otherwise the least-squares plane.
   ///
   /// Throws Error, with the deviation, if the points are farther from the plane than 1e-4 of their
-  /// size. Points that are not finite yield z = 0; a mesh or loops of such points are refused
-  /// elsewhere.
+  /// size and than rounding explains. Points that are not finite yield z = 0; a mesh or loops of
+  /// such points are refused elsewhere.
   static DomainPlane Find(const Eigen::Matrix3Xd& points);
 
   /// Returns whether the plane is z = const. The z coordinates of input that belongs to the domain

@@ -6,19 +6,19 @@
 
 namespace crossfield
 {
-/// Positions, in the lattice of a hexahedron of order 1 or 2 whose bottom has the edge `collapsed`
-/// on an axis (SolverMesh::CollapsedEdge), of the nodes of the prism that it is: corners, then
-/// nodes of edges, then those inside its quadrilaterals, in the order of a format. The first
-/// triangle has its normal into the prism, in VTK out of it. Nodes inside triangles are none of the
-/// prism's.
+/// Returns the nodes of a prism as positions in its lattice, in the order of a format: corners,
+/// nodes of edges, nodes inside quadrilaterals; a prism has none inside its triangles. The lattice
+/// is that of a hexahedron of order 1 or 2 with the edge `collapsed` of its bottom on an axis
+/// (SolverMesh::CollapsedEdge). The first triangle has its normal into the prism, in VTK out of it.
 std::vector<int> PrismPositions(int order, int collapsed, NodeOrder format);
 
-/// Sets the nodes of a lattice that are none of its prism's: those on the axis to the one that they
-/// coincide with, those inside the triangles to the middle of the side opposite to the axis.
-/// `nodes` is the lattice of a hexahedron with the edge 0 on the axis.
+/// Sets the nodes of a lattice that PrismPositions leaves out, for the edge 0: on the axis those of
+/// higher levels are the ones of the lowest, and inside the triangles, where no format has a node,
+/// the middle of the side opposite to the axis stands for it.
 void FillPrismLattice(int order, int* nodes);
 
-/// Removes from the nodes of a face, corners first, those that make a quadrilateral of a triangle
-/// whose corners are two times the same point in it.
+/// If two neighbouring corners of a face are the same point, leaves the nodes of a triangle:
+/// corners, then edges. `nodes` are the corners, then the others in the order of VTK, Gmsh or
+/// Abaqus.
 void KeepTriangle(int order, std::vector<int>& nodes);
 }

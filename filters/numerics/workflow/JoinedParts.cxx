@@ -207,12 +207,12 @@ private:
     to.separateBlocks += from.separateBlocks;
     to.layoutSeconds += from.layoutSeconds;
     to.smoothSeconds += from.smoothSeconds;
+    int cones = 0;
     for (const QuadPoint& point : from.mesh.points)
     {
-      this->NextCones =
-        std::max(this->NextCones, this->Cones + static_cast<std::size_t>(point.cone + 1));
+      cones = std::max(cones, point.cone + 1);
     }
-    this->Cones = this->NextCones;
+    this->Cones += static_cast<std::size_t>(cones);
     this->Result.part.resize(before + count, this->Parts);
   }
 
@@ -318,8 +318,7 @@ private:
   QuadWorkflowResult Result;
   std::size_t Loops = 0; ///< Of the parts so far.
   std::size_t Cones = 0; ///< Of the parts so far.
-  std::size_t NextCones = 0;
-  int Parts = 0; ///< Number of parts so far.
+  int Parts = 0;         ///< Number of parts so far.
 };
 }
 
@@ -346,8 +345,8 @@ QuadWorkflowResult MakeQuadsOfParts(
     }
     catch (const Error& error)
     {
-      throw Error(number + " of " + std::to_string(parts.size()) +
-          " of the domain, the largest is number 1: " + error.what(),
+      throw Error(
+        number + " of " + std::to_string(parts.size()) + " (1 is the largest): " + error.what(),
         error.GetKind());
     }
     done = end;

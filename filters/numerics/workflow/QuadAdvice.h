@@ -67,8 +67,7 @@ std::string DescribeInverted(
 /// otherwise an empty text. `isPrescribed`: there are prescriptions that it may follow from.
 std::string DescribeCount(const QuadRequest& request, bool isPrescribed, const QuadResult& quads);
 
-/// Returns a warning about sides that have no edges, because quads are larger, otherwise an empty
-/// text.
+/// Returns a warning about sides that have no edges, otherwise an empty text.
 std::string DescribeLostSides(const QuadMesh& mesh);
 
 /// Returns a sentence about very different sizes of quads, which have a standard deviation of more than

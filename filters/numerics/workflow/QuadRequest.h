@@ -134,5 +134,8 @@ struct QuadWorkflowResult
   std::vector<CurveReport> curves; ///< One for each of these curves.
   BlockCounts blocks;
   QuadSeconds seconds;
+
+  /// Returns the number of parts of the domain.
+  int PartCount() const { return this->part.empty() ? 1 : this->part.back() + 1; }
 };
 }

@@ -240,10 +240,9 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
 {
   const QuadResult& quads = result.quads;
   std::ostringstream text;
-  const int parts = *std::max_element(result.part.begin(), result.part.end()) + 1;
-  if (parts > 1)
+  if (result.PartCount() > 1)
   {
-    text << parts << " parts: ";
+    text << result.PartCount() << " parts: ";
   }
   text << DescribeQuads(quads) << ", minimum scaled Jacobian " << std::fixed << std::setprecision(2)
        << quads.quality.jacobian.min << "; " << DescribeIrregular(quads.mesh) << ".";

@@ -81,8 +81,8 @@ bool IsTriangle(int type)
 }
 
 /**
- * Adds the nodes of a cell of a grid as a lattice of so many nodes, given per node its position in
- * it.
+ * Adds a cell of a grid as a lattice of `size` nodes, given the position of each of its nodes
+ * there.
  */
 void AddCell(const CellLoop::Points& ids, std::size_t size, const std::vector<int>& positions,
   std::vector<int>& cells)

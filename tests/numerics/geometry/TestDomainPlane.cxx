@@ -179,7 +179,7 @@ TEST(DomainPlane, FlattensWhatIsSlightlyOffWithAWarning)
 TEST(DomainPlane, AcceptsCoordinatesOfSinglePrecision)
 {
   const Matrix3d turn = ShortestRotation(Vector3d::UnitZ(), Vector3d(1, 2, 3).normalized());
-  for (double distance : { 0.0, 1e3 })
+  for (double distance : { 0.0, 1e3, 1e5 })
   {
     const Matrix3Xd exact = (turn * Grid()).colwise() + Vector3d(distance, -distance, distance);
     const Matrix3Xd points = exact.cast<float>().cast<double>();
