@@ -188,6 +188,7 @@ constexpr const char* EtaRange = "EtaRange";
 constexpr const char* SizeRange = "SizeRange";
 constexpr const char* SizeVariation = "SizeVariation";
 constexpr const char* Size = "Size";
+constexpr const char* Symmetries = "Symmetries";
 constexpr const char* ZeroArcs = "ZeroArcs";
 constexpr const char* IntegerVariables = "IntegerVariables";
 constexpr const char* IntegerGap = "IntegerGap";

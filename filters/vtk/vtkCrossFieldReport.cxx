@@ -250,7 +250,8 @@ public:
       { "scaled_jacobian", names::ScaledJacobianRange, { "min", "mean" } },
       { "eta", names::EtaRange, { "min", "mean" } },
       { "sizes", names::SizeRange, { "min", "mean", "max" } }, names::SizeVariation,
-      names::ZeroArcs, names::Inverted, names::AmbiguousCorners, names::Warnings, names::Moved });
+      names::Symmetries, names::ZeroArcs, names::Inverted, names::AmbiguousCorners, names::Warnings,
+      names::Moved });
     this->Add({ names::ScaledJacobianBound }, "scaled_jacobian", "ScaledJacobian");
     this->AddCounts("irregular", names::IrregularObtained);
     this->AddCounts("asked", names::IrregularRequested);

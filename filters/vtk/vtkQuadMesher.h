@@ -70,7 +70,8 @@
  * interior nodes per valence), `ScaledJacobianRange` (minimum, mean), `ScaledJacobianBound`
  * (attainable minimum), `MinimumAngle` (degrees), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
  * − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
- * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
+ * (standard deviation over mean of the same), `Size` (side length in the map), `Symmetries`
+ * (number of symmetries of the domain that the quads have, 1 for the identity alone), `ZeroArcs`,
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
  * singularities had to move), `MoveSingularity`, `MoveFrom`, `MoveTo` and `MoveDistance` (moves of given

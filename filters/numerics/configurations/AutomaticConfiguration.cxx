@@ -4,6 +4,7 @@
 #include "MeshBudget.h"
 #include "OptimizerReport.h"
 #include "OptimizerStage.h"
+#include "OptimizerSymmetry.h"
 #include "PoincareHopf.h"
 
 #include <algorithm>
@@ -146,6 +147,47 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   return result;
 }
 
+/// If singularities have more symmetries of the domain after moves of at most `distance`, continues from there, and
+/// uses the result if it has more symmetries, and its energy is higher by less than these are worth.
+void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options, double distance,
+  const Progress& progress, AutomaticConfiguration& result)
+{
+  const SymmetryGroup group = FindSymmetries(domain);
+  const auto count = [&](const Configuration& singularities, double reach)
+  { return MatchSymmetry(singularities, group, reach).elements.size(); };
+  const double exact = SymmetryReach * domain.Diagonal();
+  const std::size_t before = count(result.singularities, exact);
+  Configuration symmetric = result.singularities;
+  if (count(symmetric, distance) <= before || !MakeSymmetric(domain, group, distance, symmetric))
+  {
+    return;
+  }
+  OptimizerResult tried = OptimizeSingularities(domain, symmetric, options, progress);
+  tried.solves += result.optimum.solves;
+  const std::size_t after = count(tried.configuration, exact);
+  // Sizes that differ by so much more are not seen in a mesh.
+  constexpr double SameSpread = 0.02;
+  const double rise = tried.rankingEnergy - result.optimum.rankingEnergy;
+  const bool isBetter = after > before &&
+    HasConvergedWithoutDefect(tried) >= HasConvergedWithoutDefect(result.optimum) &&
+    tried.sizeSpread <= result.optimum.sizeSpread + SameSpread &&
+    rise < WorthOfSymmetries(after) - WorthOfSymmetries(before);
+  std::ostringstream text;
+  text << "Positions with " << after << " instead of " << before
+       << " symmetries of the domain, with the identity, " << (isBetter ? "are" : "were not")
+       << " used: their energy is " << FormatNumber(std::abs(rise), 3)
+       << (rise < 0.0 ? " lower." : " higher.");
+  result.events.push_back(text.str());
+  if (!isBetter)
+  {
+    result.optimum.solves = tried.solves;
+    return;
+  }
+  result.optimum = std::move(tried);
+  result.singularities = result.optimum.configuration;
+  AddEvents(result);
+}
+
 /// Continues the optimisation from the minimum of the energy with the clearance for quads, towards
 /// the target sizes if there are any, or towards uniform sizes if the sizes are far from uniform.
 void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
@@ -165,6 +207,10 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   result.optimum.solves += before;
   result.singularities = result.optimum.configuration;
   AddEvents(result);
+  if (options.proposal.given.empty() && !result.optimum.aborted)
+  {
+    ImposeSymmetry(domain, fit, ResolveQuadSize(domain, options), progress, result);
+  }
   if (fit.sizes.sizing != Sizing::Field && fit.pairs == 0 &&
     result.optimum.sizeSpread > options.acceptedSpread)
   {
@@ -203,7 +249,8 @@ AutomaticConfiguration ChooseConfiguration(
   // boundary. The clearance for quads and the target sizes apply afterwards.
   const double clearance = RequestedClearance(domain, options);
   const bool fits = clearance > CoreRadius(domain) ||
-    options.optimizer.sizes.sizing != Sizing::Conformal || options.optimizer.pairs > 0;
+    options.optimizer.sizes.sizing != Sizing::Conformal || options.optimizer.pairs > 0 ||
+    !options.optimizer.clearanceFactors.empty();
   AutomaticOptions minimum = options;
   minimum.optimizer.clearance = fits ? 0.0 : clearance;
   minimum.optimizer.clearanceFactors = {};
@@ -255,9 +302,18 @@ AutomaticConfiguration ChooseConfiguration(
     }
   }
   best.optimum.solves = solves;
+  if (options.proposal.given.empty() && !best.optimum.aborted)
+  {
+    // Enough to turn four singularities in a disk by an eighth of a turn.
+    constexpr double LargestMove = 0.1;
+    OptimizerOptions run = minimum.optimizer;
+    run.corners = best.corners;
+    ImposeSymmetry(
+      domain, run, LargestMove * domain.Diagonal(), progress.Part(0.8, fits ? 0.85 : 1.0), best);
+  }
   if (fits && !best.optimum.aborted)
   {
-    FitToQuads(domain, options, clearance, progress.Part(0.8, 1.0), best);
+    FitToQuads(domain, options, clearance, progress.Part(0.85, 1.0), best);
   }
   if (options.proposal.given.empty())
   {

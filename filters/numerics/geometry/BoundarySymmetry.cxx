@@ -1,9 +1,12 @@
 #include "BoundarySymmetry.h"
 
+#include "Segment.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crossfield
 {
@@ -56,6 +59,17 @@ bool MapsVertices(const Loop& a, const Loop& b, const Isometry& map, std::size_t
     }
   }
   return true;
+}
+
+double DistanceTo(const Loop& loop, const Point& point)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    nearest =
+      std::min(nearest, OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]).norm());
+  }
+  return nearest;
 }
 
 class SymmetrySearch
@@ -153,6 +167,23 @@ std::vector<Isometry> SymmetryGroup::Elements() const
     }
   }
   return elements;
+}
+
+std::size_t ImageOfInnerLoop(const PlanarDomain& domain, const Isometry& symmetry, std::size_t loop)
+{
+  const Point point = symmetry(domain.loops[loop][0]);
+  double nearest = std::numeric_limits<double>::infinity();
+  std::size_t image = loop;
+  for (std::size_t other = 1; other < domain.loops.size(); ++other)
+  {
+    const double distance = DistanceTo(domain.loops[other], point);
+    if (distance < nearest)
+    {
+      nearest = distance;
+      image = other;
+    }
+  }
+  return image;
 }
 
 SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance)

@@ -4,6 +4,9 @@
 
 namespace crossfield
 {
+/// Tolerance of symmetries, relative to the diagonal of the domain.
+constexpr double SymmetryReach = 1e-9;
+
 /// Rotation about a centre, optionally preceded by a reflection in the line through the centre
 /// parallel to the x axis.
 struct Isometry
@@ -37,5 +40,9 @@ struct SymmetryGroup
 /// boundary to itself generates all rotations, and one reflection yields all others. The running
 /// time is therefore linear in the number of vertices, except for domains whose outer loop has
 /// symmetries that the inner loops do not share.
-SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance = 1e-9);
+SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance = SymmetryReach);
+
+/// Returns the inner loop, from 1, that a symmetry of a domain maps an inner loop to.
+std::size_t ImageOfInnerLoop(
+  const PlanarDomain& domain, const Isometry& symmetry, std::size_t loop);
 }

@@ -70,6 +70,7 @@ std::optional<ConfigurationSymmetry> Match(
   const Configuration& configuration, const SymmetryGroup& group, double distance)
 {
   ConfigurationSymmetry symmetry;
+  symmetry.group = group;
   for (const Isometry& map : group.Elements())
   {
     // A singularity may be displaced by `distance`, and its image by as much in the opposite

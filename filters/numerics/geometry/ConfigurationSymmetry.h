@@ -10,7 +10,8 @@ namespace crossfield
 /// Symmetries of a domain that also leave a configuration invariant, within a tolerance.
 struct ConfigurationSymmetry
 {
-  std::vector<Isometry> elements; ///< Elements of a group, the identity first.
+  SymmetryGroup group;
+  std::vector<Isometry> elements; ///< The elements of the group, the identity first.
   /// For each element and each row of the configuration, the row that it is mapped to.
   std::vector<std::vector<std::size_t>> images;
 

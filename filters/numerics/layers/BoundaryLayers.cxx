@@ -30,16 +30,18 @@ struct BandPlan
 {
   std::size_t edge = 0; ///< An edge of mesh.boundary at the band.
   int rowsReplaced = 0;
-  int rows = 0; ///< 0: as many as the growth needs.
+  int rows = 0;     ///< 0: as many as the growth needs.
+  std::string lack; ///< As in LayerReport.
 };
 
 class Layerer
 {
 public:
-  Layerer(LayeredMesh& layered, const BoundaryCurves& curves, double quadSize)
+  Layerer(LayeredMesh& layered, const BoundaryCurves& curves, double quadSize, bool takesFewRows)
     : Layered(layered)
     , Curves(curves)
     , QuadSize(quadSize)
+    , TakesFewRows(takesFewRows)
   {
   }
 
@@ -108,8 +110,10 @@ public:
     {
       if (this->Layered.bands[e] >= 0)
       {
-        int& replaced = reports[this->Layered.LayerAt(e)].rowsReplaced;
-        replaced = std::max(replaced, this->Plans[this->Layered.bands[e]].rowsReplaced);
+        LayerReport& report = reports[this->Layered.LayerAt(e)];
+        const BandPlan& plan = this->Plans[this->Layered.bands[e]];
+        report.rowsReplaced = std::max(report.rowsReplaced, plan.rowsReplaced);
+        report.lack = plan.lack.empty() ? report.lack : plan.lack;
       }
     }
     return reports;
@@ -184,7 +188,12 @@ private:
       RowsToReplace(BandLines(this->Layered, band, walk, this->Curves, 1).Growth());
     if (best > AcceptedStep && available < needed)
     {
-      this->RefuseBand(band, walk, needed);
+      const Error error = this->LackOf(band, walk, needed);
+      if (!this->TakesFewRows || error.GetKind() != Error::Kind::LackOfRows)
+      {
+        throw Error(error);
+      }
+      plan.lack = error.GetCause();
     }
     return plan;
   }
@@ -226,8 +235,8 @@ private:
     return plan;
   }
 
-  /// Throws Error for a band with too few rows.
-  [[noreturn]] void RefuseBand(const QuadBand& band, const QuadWalk& walk, int needed) const
+  /// Returns the error for a band with too few rows.
+  Error LackOf(const QuadBand& band, const QuadWalk& walk, int needed) const
   {
     const auto available = static_cast<int>(band.rows.size());
     const std::string& name = this->PrescriptionOf(band).name;
@@ -252,16 +261,16 @@ private:
           height = lines.Lines()[line].length / available;
         }
       }
-      throw Error(start + "irregular nodes" + place,
+      return Error(start + "irregular nodes" + place,
         "move the singularities " +
           FormatNumber((needed - available) * std::max(height, this->QuadSize), 2) + " away",
         Error::Kind::LackOfRows);
     }
     case BandEnd::Boundary:
-      throw Error(
+      return Error(
         start + "corners and ends of sides" + place, "use smaller quads", Error::Kind::BadInput);
     default:
-      throw Error(start + "rows of other layers" + place, "use smaller quads, or a larger growth",
+      return Error(start + "rows of other layers" + place, "use smaller quads, or a larger growth",
         Error::Kind::BadInput);
     }
   }
@@ -269,6 +278,7 @@ private:
   LayeredMesh& Layered;
   const BoundaryCurves& Curves;
   const double QuadSize; ///< As in QuadResult::size.
+  const bool TakesFewRows;
   std::vector<BandPlan> Plans;
 };
 }
@@ -315,7 +325,7 @@ void RequireLayers(const std::vector<LayerPrescription>& layers,
 }
 
 std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,
-  const std::vector<LayerPrescription>& prescriptions, QuadResult& quads)
+  const std::vector<LayerPrescription>& prescriptions, bool takesFewRows, QuadResult& quads)
 {
   RequireLayers(prescriptions, quads.mesh.sideNames, domain.Diagonal());
   LayeredMesh layered;
@@ -329,7 +339,7 @@ std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCur
   }
   layered.regions.assign(quads.mesh.quads.size(), 0);
   layered.mesh = std::move(quads.mesh);
-  Layerer layerer(layered, curves, quads.size);
+  Layerer layerer(layered, curves, quads.size, takesFewRows);
   layerer.Plan();
   layerer.Divide();
   FindPairs(layered.mesh);

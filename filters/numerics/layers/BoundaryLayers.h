@@ -17,7 +17,8 @@ void RequireLayers(const std::vector<LayerPrescription>& layers,
 ///
 /// Throws Error as RequireLayers does, if the first height of a side is not less than the rows there, if
 /// periodic sides have different numbers of nodes afterwards, and, of kind LackOfRows, if too few rows beside
-/// it are free of irregular points.
+/// it are free of irregular points. With `takesFewRows` those that are free are replaced instead, and the report
+/// says so; the quads behind them are then much higher than the last row.
 std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,
-  const std::vector<LayerPrescription>& prescriptions, QuadResult& quads);
+  const std::vector<LayerPrescription>& prescriptions, bool takesFewRows, QuadResult& quads);
 }

@@ -3,6 +3,7 @@
 #include "LayeredMesh.h"
 
 #include <array>
+#include <string>
 
 namespace crossfield
 {
@@ -23,6 +24,7 @@ struct LayerReport
   /// first row behind it.
   double largestRatio = 1.0;
   double ratio99 = 1.0; ///< That ratio, exceeded by one of a hundred pairs of neighbours.
+  std::string lack;     ///< Why fewer rows were replaced than the growth needs; empty otherwise.
 };
 
 /// Measures the layers of a mesh. rows[e] is the number of rows beside edge e of mesh.boundary.

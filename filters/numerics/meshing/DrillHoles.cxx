@@ -7,6 +7,7 @@
 #include "HoleRadii.h"
 #include "MemoryBudget.h"
 #include "MeshBudget.h"
+#include "MirrorSector.h"
 #include "NarrowParts.h"
 #include "PlanarMesher.h"
 #include "TriangleChoice.h"
@@ -273,7 +274,20 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
     marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
   }
 
-  return TriangulateDomain(drilled, marks, MakeSizeField(drilled, meshSize, options, frame),
-    progress, options.vertices, frame);
+  const SizeField size = MakeSizeField(drilled, meshSize, options, frame);
+  if (options.symmetries.reflects && holes.empty())
+  {
+    const double reach = SymmetryReach * domain.Diagonal();
+    const std::optional<MirrorSector> sector =
+      CutMirrorSector(drilled, options.symmetries, frame.GetAngle(), options.vertices, reach);
+    if (sector)
+    {
+      return CompleteSector(*sector,
+        TriangulateDomain(
+          sector->domain, LoopMarks(sector->domain), size, progress, sector->vertices, frame),
+        drilled, marks, reach);
+    }
+  }
+  return TriangulateDomain(drilled, marks, size, progress, options.vertices, frame);
 }
 }

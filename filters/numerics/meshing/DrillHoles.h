@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundarySymmetry.h"
 #include "PlanarDomain.h"
 #include "Progress.h"
 #include "Singularity.h"
@@ -36,6 +37,9 @@ struct DrillOptions
   std::vector<SizeSource> refinements;
   /// Points inside the domain that become vertices; used by Perforate and Imprint.
   std::vector<Point> vertices;
+  /// Symmetries that domain, refinements and vertices have. If there are reflections among them, and no holes are
+  /// drilled, the mesh has them exactly, up to rounding.
+  SymmetryGroup symmetries;
 };
 
 /// Returns the mesh size that options define on a domain. Throws Error if it is negative or not

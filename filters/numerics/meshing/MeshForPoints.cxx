@@ -2,6 +2,7 @@
 
 #include "BoundaryCorners.h"
 #include "BoundarySingularities.h"
+#include "ConfigurationSymmetry.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 
@@ -68,6 +69,8 @@ TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& 
 {
   DrillOptions options = RefineAt({ configuration }, domain, meshSize);
   options.refinement = refinement;
+  options.symmetries =
+    MatchSymmetry(configuration, FindSymmetries(domain), SymmetryReach * domain.Diagonal()).group;
   for (const Singularity& singularity : configuration)
   {
     // Singularities on the boundary become vertices of it; SolveSeamlessMap refuses those outside.

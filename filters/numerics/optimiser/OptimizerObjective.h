@@ -81,6 +81,8 @@ public:
   }
   OptimizerObjective WithoutSymmetry() const;
   bool KeepsSymmetry() const { return !this->Symmetry.IsTrivial(); }
+  /// Returns the number of symmetries that are kept, with the identity.
+  std::size_t CountSymmetries() const { return this->Symmetry.positions.elements.size(); }
 
   /// Returns the distance of singularity i from the boundary, negative outside the domain, in units
   /// of the diagonal.

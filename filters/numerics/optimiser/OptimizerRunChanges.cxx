@@ -61,7 +61,8 @@ void OptimizerRun::ReturnToSaddle()
   }
   const auto count = static_cast<double>(this->Current.positions.size() / 2);
   const double gain = this->Saddle->current.energy - this->Current.energy;
-  if (gain > SmallGain * count)
+  const double worth = WorthOfSymmetries(this->Saddle->stage.objective->CountSymmetries());
+  if (gain > std::max(SmallGain * count, worth))
   {
     this->AddEvent(
       "The singularities no longer follow a symmetry of the domain, which kept them at a saddle "

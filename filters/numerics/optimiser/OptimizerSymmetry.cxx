@@ -1,49 +1,14 @@
 #include "OptimizerSymmetry.h"
 
-#include "Segment.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace crossfield
 {
 namespace
 {
-/// Tolerance relative to the diagonal, as for the symmetries of the domain itself.
-constexpr double SymmetryTolerance = 1e-9;
 /// Threshold relative to π: the error of meshes in defects is smaller than the remainder.
 constexpr double NearHalfTurn = 0.9;
-
-double DistanceTo(const Loop& loop, const Point& point)
-{
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    nearest =
-      std::min(nearest, OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]).norm());
-  }
-  return nearest;
-}
-
-/// Returns the island that a symmetry of the domain maps an island to: the one onto which it maps a
-/// vertex of the island.
-Eigen::Index ImageOf(const PlanarDomain& domain, const Isometry& map, Eigen::Index island)
-{
-  const Point point = map(domain.loops[static_cast<std::size_t>(island) + 1][0]);
-  double nearest = std::numeric_limits<double>::infinity();
-  Eigen::Index image = island;
-  for (std::size_t loop = 1; loop < domain.loops.size(); ++loop)
-  {
-    const double distance = DistanceTo(domain.loops[loop], point);
-    if (distance < nearest)
-    {
-      nearest = distance;
-      image = static_cast<Eigen::Index>(loop) - 1;
-    }
-  }
-  return image;
-}
 
 Eigen::MatrixXd DefectProjection(
   const PlanarDomain& domain, const std::vector<Isometry>& elements, Eigen::Index islands)
@@ -53,11 +18,17 @@ Eigen::MatrixXd DefectProjection(
   {
     for (Eigen::Index island = 0; island < islands; ++island)
     {
-      projection(island, ImageOf(domain, map, island)) += map.reflects ? -1.0 : 1.0;
+      const std::size_t image = ImageOfInnerLoop(domain, map, static_cast<std::size_t>(island) + 1);
+      projection(island, static_cast<Eigen::Index>(image) - 1) += map.reflects ? -1.0 : 1.0;
     }
   }
   return projection / static_cast<double>(elements.size());
 }
+}
+
+double WorthOfSymmetries(std::size_t elements)
+{
+  return 8.0 * std::log(static_cast<double>(elements));
 }
 
 ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const SymmetryGroup& group,
@@ -92,7 +63,7 @@ OptimizerSymmetry FindKeptSymmetry(const PointPotential& potential, const Planar
   {
     return TrivialSymmetry(potential, interior);
   }
-  const double distance = SymmetryTolerance * domain.Diagonal();
+  const double distance = SymmetryReach * domain.Diagonal();
   SymmetryGroup group = FindSymmetries(domain);
   OptimizerSymmetry symmetry;
   symmetry.positions = MatchWithBoundary(potential, group, interior, distance, keeps);

@@ -1,5 +1,6 @@
 #include "QuadMesher.h"
 
+#include "ArcOrbits.h"
 #include "BoundaryOrder.h"
 #include "BoundarySymmetry.h"
 #include "Candidates.h"
@@ -13,6 +14,7 @@
 #include "NodePairs.h"
 #include "PairedArcs.h"
 #include "PrescribedSides.h"
+#include "PrescribedSums.h"
 #include "QuadBuilder.h"
 #include "QuadSymmetry.h"
 #include "Quantisation.h"
@@ -33,6 +35,13 @@ namespace crossfield
 {
 namespace
 {
+/// Returns the size of quads that the options ask for in a domain with an area, from which a search for a number
+/// starts.
+double FirstSize(const QuadOptions& options, double area)
+{
+  return options.quadSize > 0.0 ? options.quadSize : std::sqrt(area / options.quadCount);
+}
+
 /// Builds, smooths and measures meshes of one T-mesh.
 class Mesher
 {
@@ -57,6 +66,7 @@ public:
   /// quads. That size is searched for with quick solutions.
   void ComputeCounts(const Progress& progress)
   {
+    this->Orbits = this->FindOrbits();
     const bool given = this->Options.quadSize > 0.0;
     EdgeCounts found = this->CountsForSize([&](double size)
       { return this->QuantiseFor(size, given ? SearchEffort::Thorough : SearchEffort::Quick); },
@@ -71,7 +81,7 @@ public:
         found = std::move(best);
       }
     }
-    SetCounts(this->FindSymmetric(std::move(found)), this->Result);
+    SetCounts(std::move(found), this->Result);
   }
 
   void Build(QuadResult& result) const
@@ -200,7 +210,25 @@ private:
 
   EdgeCounts QuantiseFor(double size, SearchEffort effort) const
   {
-    return this->CountsOf(this->ProblemFor(size), size, effort);
+    QuantisationProblem problem = this->ProblemFor(size);
+    this->Orbits->Equate(problem);
+    return this->CountsOf(std::move(problem), size, effort);
+  }
+
+  /// Finds the arcs that get equal counts by symmetry; none if prescribed sums do not permit that.
+  ArcOrbits FindOrbits() const
+  {
+    // Nodes are nearer to their images than this part of an edge, or the mesh has not the symmetry.
+    constexpr double Near = 0.25;
+    const QuantisationProblem problem = this->ProblemFor(FirstSize(this->Options, this->Area));
+    const TMesh& tMesh = this->Result.tMesh;
+    ArcOrbits orbits(tMesh, FindSymmetries(this->Domain).Elements(), problem,
+      Near * FirstSize(this->Options, this->Area));
+    QuantisationProblem equated = problem;
+    orbits.Equate(equated);
+    return problem.sums.empty() || FindFeasibleCounts(tMesh, equated)
+      ? orbits
+      : ArcOrbits(tMesh, {}, problem, 0.0);
   }
 
   /// Returns the counts for the given size, or for the one that SearchSize finds.
@@ -215,71 +243,7 @@ private:
       return counts;
     }
     return SearchSize(this->Result.tMesh, this->Options.quadCount,
-      std::sqrt(this->Area / this->Options.quadCount), countsOf, progress);
-  }
-
-  /// Returns counts whose mesh has the symmetries of the domain, if some nearby size has such
-  /// counts and the number of quads stays within CountTolerance; otherwise the given ones. Halves of
-  /// odd numbers and lengths of equal fractional parts are rounded differently on both sides of a
-  /// mirror line, and other sizes avoid this.
-  EdgeCounts FindSymmetric(EdgeCounts found) const
-  {
-    // Up to 4.8 % more or less, about CountTolerance in the number of quads and the same beyond it.
-    constexpr int Steps = 12;
-    constexpr double Step = 0.004;
-    // Between the targets of two arcs of a strip with equal weights, all counts are equally good, and
-    // the errors of the triangles decide. Longer arcs have the preference in half of the trials: 10 %
-    // of the difference of lengths exceeds these errors.
-    constexpr double Preference = 0.1;
-    constexpr long long MaximumQuads = 50000; // each size takes a mesh
-    constexpr std::size_t MaximumArcs = 1500; // with more, each of the fifty trials takes a second
-    if (CountQuads(this->Result.tMesh, found.counts) > MaximumQuads ||
-      this->Lengths.size() > MaximumArcs || FindSymmetries(this->Domain).IsTrivial())
-    {
-      return found;
-    }
-    const bool released = this->Options.sizes.sizing != Sizing::Conformal;
-    const auto meshOf = [&](const EdgeCounts& counts)
-    { return BuildQuads(this->Map, this->Curves, this->Result.tMesh, counts.counts, counts.size); };
-    const auto symmetriesOf = [&](const EdgeCounts& counts)
-    {
-      QuadMesh mesh = meshOf(counts);
-      return MakeSymmetric(mesh, this->Curves, this->Domain, released);
-    };
-    const double wanted = this->Options.quadSize > 0.0
-      ? static_cast<double>(CountQuads(this->Result.tMesh, found.counts))
-      : this->Options.quadCount;
-    int most = symmetriesOf(found);
-    const int possible =
-      CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
-    const double size = found.size;
-    std::vector<int> tried = found.counts;
-    for (int step = 0; step <= 2 * Steps && most < possible; ++step)
-    {
-      const double factor = 1.0 + (step % 2 == 0 ? -Step : Step) * ((step + 1) / 2);
-      for (const bool prefersLong : { true, false })
-      {
-        QuantisationProblem problem = this->ProblemFor(factor * size);
-        for (std::size_t a = 0; prefersLong && a < problem.Count(); ++a)
-        {
-          problem.weight[a] *= std::pow(problem.target[a], Preference);
-        }
-        EdgeCounts counts = this->CountsOf(problem, factor * size, SearchEffort::Quick);
-        if (counts.counts == tried || this->CountError(counts, wanted) > CountTolerance)
-        {
-          continue;
-        }
-        tried = counts.counts;
-        counts.size = factor * size;
-        const int symmetries = symmetriesOf(counts);
-        if (symmetries > most)
-        {
-          most = symmetries;
-          found = std::move(counts);
-        }
-      }
-    }
-    return found;
+      FirstSize(this->Options, this->Area), countsOf, progress);
   }
 
   /// Returns the relative difference of the number of quads from another one.
@@ -382,6 +346,7 @@ private:
   const GradedArcs Graded;
   const SmoothLoops LoopsWithoutCorners;
   const std::vector<CountSum> Sums; ///< Prescribed for sides of the boundary.
+  std::optional<ArcOrbits> Orbits;  ///< Set by ComputeCounts.
 };
 }
 
@@ -398,7 +363,8 @@ QuadResult MakeDraftQuads(
   QuadResult result;
   result.tMesh = layout.tMesh;
   const MeshBoundary curves(*RequirePlanar(map.topology), options.curves);
-  SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
+  SplitAtSides(map, curves, options.sides, options.prescribed,
+    FirstSize(options, AreaOf(result.tMesh)), result.tMesh);
   SplitAtPairs(map, curves, options.sides, layouts.pairs, result.tMesh);
   Mesher mesher(map, layouts.pairs, curves, options, result);
   mesher.ComputeCounts(progress);

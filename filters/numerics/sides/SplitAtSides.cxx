@@ -6,8 +6,36 @@
 
 namespace crossfield
 {
+namespace
+{
+/// Adds the corners that are farther from their neighbours along the boundary than a length.
+void AddFreeCorners(const MeshBoundary& curves, double length, std::vector<int>& positions)
+{
+  std::vector<std::vector<double>> corners(curves.GetArcs().size());
+  for (const CurvePlace& corner : curves.Corners())
+  {
+    corners[corner.loop].push_back(corner.at);
+  }
+  for (std::size_t loop = 0; loop < corners.size(); ++loop)
+  {
+    std::vector<double>& at = corners[loop];
+    std::sort(at.begin(), at.end());
+    const double around = curves.Length(static_cast<int>(loop));
+    const auto gap = [&](std::size_t i)
+    { return i + 1 < at.size() ? at[i + 1] - at[i] : at[0] + around - at[i]; };
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+      if (gap(i) > length && gap((i + at.size() - 1) % at.size()) > length)
+      {
+        positions.push_back(curves.PositionAt({ static_cast<int>(loop), at[i] }));
+      }
+    }
+  }
+}
+}
+
 void SplitAtSides(const SeamlessMap& map, const MeshBoundary& curves, const BoundarySides& sides,
-  const SidePrescriptions& prescribed, TMesh& mesh)
+  const SidePrescriptions& prescribed, double size, TMesh& mesh)
 {
   const auto isPrescribed = [&prescribed](const LoopSide& start)
   {
@@ -29,6 +57,7 @@ void SplitAtSides(const SeamlessMap& map, const MeshBoundary& curves, const Boun
       }
     }
   }
+  AddFreeCorners(curves, size, positions);
   SplitBoundaryArcs(map, positions, mesh);
 }
 }

@@ -16,9 +16,6 @@ namespace crossfield
 {
 namespace
 {
-/// Tolerance of symmetries, relative to the diagonal.
-constexpr double Tolerance = 1e-9;
-
 /// The image of every point.
 using Permutation = std::vector<int>;
 
@@ -245,30 +242,15 @@ Permutation Power(const Permutation& images, int exponent)
 }
 }
 
-int CountPossibleSymmetries(
-  const QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released)
-{
-  const SymmetryGroup group = FindSymmetries(domain, Tolerance);
-  if (group.IsTrivial())
-  {
-    return 1;
-  }
-  QuadMesh copy = mesh;
-  const Symmetriser symmetriser(copy, curves, Tolerance * domain.Diagonal(), released);
-  const std::vector<Isometry> elements = group.Elements();
-  return static_cast<int>(std::count_if(elements.begin(), elements.end(),
-    [&](const Isometry& element) { return symmetriser.MatchesFixed(element); }));
-}
-
 int MakeSymmetric(
   QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released)
 {
-  const SymmetryGroup group = FindSymmetries(domain, Tolerance);
+  const SymmetryGroup group = FindSymmetries(domain);
   if (group.IsTrivial())
   {
     return 1;
   }
-  Symmetriser symmetriser(mesh, curves, Tolerance * domain.Diagonal(), released);
+  Symmetriser symmetriser(mesh, curves, SymmetryReach * domain.Diagonal(), released);
   // Neighbouring symmetries of a polygon with many sides are nearly equal. A symmetry is accepted
   // only if images match points within this fraction of an edge. Of several reflections the best
   // match is used. A rotation applied `order` times, or a reflection applied twice, must be the
@@ -350,7 +332,7 @@ void MakeSymmetricAndPeriodic(
   {
     return;
   }
-  if (LargestMismatch(mesh) > Tolerance * domain.Diagonal())
+  if (LargestMismatch(mesh) > SymmetryReach * domain.Diagonal())
   {
     mesh.points = start;
     report.symmetries = 1;

@@ -22,9 +22,4 @@ int MakeSymmetric(
 /// afterwards, the mesh stays as it is, with `isAsymmetric`. Uses SmoothingReport::released.
 void MakeSymmetricAndPeriodic(QuadMesh& mesh, const BoundaryCurves& curves,
   const PlanarDomain& domain, SmoothingReport& report);
-
-/// Returns the number of symmetries of the domain that map cones and corners of a mesh to cones and
-/// corners: those that a mesh with suitable edge counts has. `released`: as in MakeSymmetric.
-int CountPossibleSymmetries(
-  const QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released);
 }

@@ -28,8 +28,11 @@ void LineWalk::Leave(LineSegment& segment, int side) const
   const int next = (side + 1) % 3;
   const double from = this->Across(segment, side);
   const double to = this->Across(segment, next);
-  const double fraction =
+  const double across =
     from == to ? 0.5 : std::clamp((segment.level - from) / (to - from), 0.0, 1.0);
+  // Rounded so that the fraction from the other end of the side is exact, as lines that leave at the
+  // same point of a side must have the same order in both of its triangles.
+  const double fraction = 1.0 - (1.0 - across);
   segment.exit = { side, fraction };
   const double start = this->Along(segment, side);
   const double along = start + fraction * (this->Along(segment, next) - start);
@@ -98,31 +101,53 @@ int LineWalk::Beyond(const LineSegment& segment) const
   return this->Map.topology->Neighbour(segment.triangle, segment.exit.side);
 }
 
-LineSegment LineWalk::Continue(const LineSegment& segment) const
+void LineWalk::Pass(const LineSegment& segment, int side, LineSegment& next) const
 {
-  const MeshTopology& topology = *this->Map.topology;
-  LineSegment next;
-  next.triangle = this->Beyond(segment);
-  const int side =
-    topology.SideOf(next.triangle, topology.EdgeOf(segment.triangle, segment.exit.side));
+  next.triangle = this->Map.topology->Neighbour(segment.triangle, side);
   next.direction = segment.direction;
   next.level = segment.level;
   next.offset = segment.offset;
-  next.entryLength = segment.exitLength;
-  next.entry = { side, 1.0 - segment.exit.fraction };
-  if (this->Map.seams[segment.triangle][segment.exit.side] != 0)
+  if (this->Map.seams[segment.triangle][side] != 0)
   {
-    const SeamTransition across = this->Map.Across(segment.triangle, segment.exit.side);
+    const SeamTransition across = this->Map.Across(segment.triangle, side);
     next.direction = (segment.direction + across.rotation) % 4;
     const Point w =
       across(segment.AlongU() ? Point(0.0, segment.level) : Point(segment.level, 0.0));
     next.level = w[next.AlongU() ? 1 : 0];
     next.offset = segment.offset - next.Sign() * w[next.AlongU() ? 0 : 1];
   }
+}
+
+LineSegment LineWalk::Continue(const LineSegment& segment) const
+{
+  const MeshTopology& topology = *this->Map.topology;
+  LineSegment next;
+  this->Pass(segment, segment.exit.side, next);
+  const int side =
+    topology.SideOf(next.triangle, topology.EdgeOf(segment.triangle, segment.exit.side));
+  next.entryLength = segment.exitLength;
+  next.entry = { side, 1.0 - segment.exit.fraction };
   // A line enters with the start of the side on its left, and leaves between a right and a left
   // corner.
   this->Leave(next, this->IsLeft(next, (side + 2) % 3) ? (side + 1) % 3 : (side + 2) % 3);
   return next;
+}
+
+std::optional<LineSegment> LineWalk::Beside(const LineSegment& segment, double tolerance) const
+{
+  const auto isOn = [&](int corner)
+  { return std::abs(this->Across(segment, corner) - segment.level) <= tolerance; };
+  for (int side = 0; side < 3; ++side)
+  {
+    if (isOn(side) && isOn((side + 1) % 3) &&
+      this->Map.topology->Neighbour(segment.triangle, side) >= 0)
+    {
+      LineSegment beside;
+      this->Pass(segment, side, beside);
+      return beside;
+    }
+  }
+  return std::nullopt;
 }
 
 SpacePoint LineWalk::PlaceAt(int triangle, const OutlinePoint& point) const

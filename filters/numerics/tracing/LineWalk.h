@@ -2,6 +2,8 @@
 
 #include "VertexFan.h"
 
+#include <optional>
+
 namespace crossfield
 {
 /// A point on the outline of a triangle.
@@ -61,12 +63,17 @@ public:
   int Beyond(const LineSegment& segment) const;
   /// Returns the segment in the triangle beyond.
   LineSegment Continue(const LineSegment& segment) const;
+  /// Returns a segment along a side of its triangle, up to `tolerance`, in the chart of the triangle
+  /// beyond that side, without its entry and exit; none if it is along no side, or one of the boundary.
+  std::optional<LineSegment> Beside(const LineSegment& segment, double tolerance) const;
 
   /// Returns the point of the domain at a length within a segment.
   SpacePoint PlaceAt(const LineSegment& segment, double length) const;
   SpacePoint PlaceAt(int triangle, const OutlinePoint& point) const;
 
 private:
+  /// Sets the triangle beyond a side and what depends on its chart.
+  void Pass(const LineSegment& segment, int side, LineSegment& next) const;
   /// Return the transverse and longitudinal coordinate of a corner of the segment's triangle.
   double Across(const LineSegment& segment, int corner) const;
   double Along(const LineSegment& segment, int corner) const;

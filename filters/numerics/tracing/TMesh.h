@@ -72,6 +72,7 @@ struct TMesh
   int extraSeparatrices = 0; ///< Number of those that start on a boundary loop.
   int headOn = 0;            ///< Pairs of separatrices that meet head-on.
   int crossings = 0;         ///< Nodes where two separatrices end on a third from opposite sides.
+  int ties = 0;              ///< Nodes at which two separatrices pass through each other.
   double longest = 0.0;      ///< Length of the longest separatrix in the map.
 
   /// Returns the opposite direction of a half-edge.

@@ -23,6 +23,7 @@ public:
     this->Mesh.extraSeparatrices = graph.extraSeparatrices;
     this->Mesh.headOn = graph.headOn;
     this->Mesh.crossings = this->Stops.CrossingCount();
+    this->Mesh.ties = static_cast<int>(graph.ties.size());
     for (const TracedSeparatrix& line : this->Lines)
     {
       this->Mesh.longest = std::max(this->Mesh.longest, line.length);

@@ -38,6 +38,10 @@ TMeshStops::TMeshStops(const SeamlessMap& map, const TraceGraph& graph)
   {
     this->AddEnd(i);
   }
+  for (const SeparatrixTie& tie : graph.ties)
+  {
+    this->AddTie(tie);
+  }
   for (std::vector<TMeshStop>& stops : this->OnBoundary)
   {
     std::stable_sort(stops.begin(), stops.end(), IsBefore);
@@ -122,6 +126,17 @@ void TMeshStops::AddEnd(std::size_t i)
     this->OnLines[i].push_back(end);
     this->OnLines[line.other].push_back({ line.otherLength, end.node, 0, 2, end.backward });
   }
+}
+
+void TMeshStops::AddTie(const SeparatrixTie& tie)
+{
+  const LineSegment& first = this->Lines[tie.lines[0]].segments[tie.segments[0]];
+  const LineSegment& second = this->Lines[tie.lines[1]].segments[tie.segments[1]];
+  const int node =
+    this->AddNode({ NodeKind::OnSeparatrix, -1, 4, this->Walk.PlaceAt(first, tie.lengths[0]) });
+  const int turn = (second.direction - first.direction + 4) % 4;
+  this->OnLines[tie.lines[0]].push_back({ tie.lengths[0], node, 0, 2 });
+  this->OnLines[tie.lines[1]].push_back({ tie.lengths[1], node, turn, (turn + 2) % 4 });
 }
 
 int TMeshStops::EndNode(std::size_t i) const

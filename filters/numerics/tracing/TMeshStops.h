@@ -50,6 +50,8 @@ private:
   void AddCones();
   void AddStart(std::size_t i);
   void AddEnd(std::size_t i);
+  /// Adds the node of two separatrices that both continue.
+  void AddTie(const SeparatrixTie& tie);
   /// Returns the node where separatrix i ends, which AddEnd added; −1 where it meets another
   /// head-on.
   int EndNode(std::size_t i) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <tuple>
 
 namespace crossfield
 {
@@ -16,6 +17,9 @@ namespace
 /// SameIsoline.
 constexpr double LargestDelay = 1e-6;
 constexpr double GoldenRatio = 0.6180339887498949;
+/// Separatrices whose lengths at a point differ by less than this, relative to the extent, arrive at the same time:
+/// far above the rounding errors of symmetric maps, and far below the delays.
+constexpr double SameTime = 1e-9;
 /// Bound on the length of a separatrix, in extents; real ones have a few (docs/method.md §13.1).
 constexpr double LongestLine = 1000.0;
 
@@ -36,7 +40,7 @@ struct Event
   double length = 0.0;
   double otherLength = 0.0;
   int segment = 0; ///< Segment of `line`.
-  int otherDirection = 0;
+  int otherSegment = 0;
 
   bool operator<(const Event& event) const // the priority queue has the greatest on top
   {
@@ -48,8 +52,10 @@ struct Event
 class Tracer
 {
 public:
-  Tracer(const SeamlessMap& map, const Progress& progress)
-    : Map(map)
+  /// Constructs a tracer that lets separatrices continue at the given ties.
+  Tracer(const SeamlessMap& map, const std::vector<SeparatrixTie>& ties, const Progress& progress)
+    : Ties(ties)
+    , Map(map)
     , Topology(*map.topology)
     , Walk(map)
     , Extent(map.Extent())
@@ -200,10 +206,17 @@ private:
           this->FindCrossing(number, segment, entry.line, entry.segment);
         }
       }
-      else if (mine.direction != theirs.direction &&
-        std::abs(mine.level - theirs.level) <= this->Tolerance)
+      else
       {
-        this->FindMeeting(number, entry.line, mine.offset + theirs.offset);
+        this->FindMeeting(number, mine, entry);
+      }
+    }
+    // Two lines along a side in opposite directions are in the triangles on either side of it.
+    if (const std::optional<LineSegment> beside = this->Walk.Beside(mine, this->Tolerance))
+    {
+      for (int e = this->Latest[beside->triangle]; e >= 0; e = this->Entries[e].next)
+      {
+        this->FindMeeting(number, *beside, this->Entries[e]);
       }
     }
     this->Entries.push_back({ number, segment, this->Latest[mine.triangle] });
@@ -211,13 +224,16 @@ private:
     this->Push({ this->Time(number, mine.exitLength), 0, Event::Advance, number });
   }
 
-  /// Returns a position on the outline of a triangle, and a rank of the line that orders lines at
-  /// one position consistently from both sides of an edge.
-  std::pair<double, int> OnOutline(int triangle, const OutlinePoint& point, int line) const
+  /// A position on the outline of a triangle: side, fraction, and a rank of the line that orders lines
+  /// at one point consistently from both sides of an edge. The end of a side is before the start of
+  /// the next one, although both are at one vertex.
+  using Position = std::tuple<int, double, int>;
+
+  Position OnOutline(int triangle, const OutlinePoint& point, int line) const
   {
     const auto& v = this->Topology.mesh.triangles[triangle];
     const bool upwards = v[point.side] < v[(point.side + 1) % 3];
-    return { point.side + point.fraction, upwards ? line : -line };
+    return { point.side, point.fraction, upwards ? line : -line };
   }
 
   /// Returns whether two lines cross in a triangle: their entries and exits alternate around it.
@@ -236,8 +252,7 @@ private:
     {
       std::swap(start, end);
     }
-    const auto between = [&start, &end](const std::pair<double, int>& x)
-    { return start < x && x < end; };
+    const auto between = [&start, &end](const Position& x) { return start < x && x < end; };
     return between(this->OnOutline(b.triangle, b.entry, lineB)) !=
       between(this->OnOutline(b.triangle, b.exit, lineB));
   }
@@ -258,7 +273,7 @@ private:
     event.length = firstIsLater ? lengthA : lengthB;
     event.otherLength = firstIsLater ? lengthB : lengthA;
     event.segment = firstIsLater ? segmentA : segmentB;
-    event.otherDirection = firstIsLater ? second.direction : first.direction;
+    event.otherSegment = firstIsLater ? segmentB : segmentA;
     event.time = this->Time(event.line, event.length);
     this->Push(event);
   }
@@ -279,28 +294,61 @@ private:
     {
       return; // the other one stops before this point
     }
+    if (this->IsTie(event, this->Ties))
+    {
+      // Two lines through one vertex may be found to cross in several triangles around it.
+      if (!this->IsTie(event, this->Graph.ties))
+      {
+        this->Graph.ties.push_back({ { event.line, event.other },
+          { event.length, event.otherLength }, { event.segment, event.otherSegment } });
+      }
+      return;
+    }
     line.end = SeparatrixEnd::Line;
     line.length = event.length;
     line.other = event.other;
     line.otherLength = event.otherLength;
     line.lastSegment = event.segment;
     line.endDirection = line.segments[event.segment].direction;
-    line.otherDirection = event.otherDirection;
+    line.otherDirection =
+      this->Graph.separatrices[event.other].segments[event.otherSegment].direction;
   }
 
-  void FindMeeting(int a, int b, double together)
+  /// Returns whether a crossing is one of some ties.
+  bool IsTie(const Event& event, const std::vector<SeparatrixTie>& ties) const
   {
-    if (a == b || together <= this->Tolerance)
+    const double reach = SameTime * this->Extent;
+    return std::any_of(ties.begin(), ties.end(),
+      [&](const SeparatrixTie& tie)
+      {
+        const std::size_t first = tie.lines[0] == event.line ? 0 : 1;
+        return tie.lines[first] == event.line && tie.lines[1 - first] == event.other &&
+          std::abs(tie.lengths[first] - event.length) <= reach &&
+          std::abs(tie.lengths[1 - first] - event.otherLength) <= reach;
+      });
+  }
+
+  /// Adds the event that a line meets another one head-on, if it does: `mine` is its segment, in the
+  /// chart of the other one's triangle.
+  void FindMeeting(int number, const LineSegment& mine, const Entry& entry)
+  {
+    const TracedSeparatrix& other = this->Graph.separatrices[entry.line];
+    const LineSegment& theirs = other.segments[entry.segment];
+    const double together = mine.offset + theirs.offset;
+    if ((mine.direction - theirs.direction) % 4 == 0 ||
+      (mine.direction - theirs.direction) % 2 != 0 ||
+      std::abs(mine.level - theirs.level) > this->Tolerance || number == entry.line ||
+      together <= this->Tolerance) // they move apart
     {
-      return; // they move apart
+      return;
     }
     Event event;
     event.kind = Event::Meeting;
-    event.line = a;
-    event.other = b;
+    event.line = number;
+    event.other = entry.line;
     event.length = together;
-    event.time = std::max(this->Now,
-      0.5 * (together + this->Graph.separatrices[a].delay + this->Graph.separatrices[b].delay));
+    event.time =
+      std::max(this->Now, 0.5 * (together + this->Graph.separatrices[number].delay + other.delay));
     this->Push(event);
   }
 
@@ -376,6 +424,7 @@ private:
     return -1;
   }
 
+  const std::vector<SeparatrixTie>& Ties;
   const SeamlessMap& Map;
   const MeshTopology& Topology;
   const LineWalk Walk;
@@ -391,14 +440,79 @@ private:
   Progress Reports;
   TraceGraph Graph;
 };
+
+/// A position on a separatrix; for two that meet head-on, on the first of them.
+struct PathPosition
+{
+  int line = 0;
+  double at = 0.0;
+};
+
+PathPosition PositionOnPath(const TraceGraph& graph, int line, double at)
+{
+  const TracedSeparatrix& separatrix = graph.separatrices[line];
+  return separatrix.end == SeparatrixEnd::HeadOn && separatrix.other < line
+    ? PathPosition{ separatrix.other, separatrix.headOnLength - at }
+    : PathPosition{ line, at };
+}
+
+/// Returns the stops of separatrices at others that arrived at the same time, but not where a third one arrived at that
+/// time from the opposite side, or where the other one meets one head-on.
+std::vector<SeparatrixTie> FindTies(const TraceGraph& graph, double reach)
+{
+  struct Stop
+  {
+    int line = 0;
+    PathPosition place; ///< On the path at which it stops.
+  };
+  std::vector<Stop> stops;
+  for (std::size_t i = 0; i < graph.separatrices.size(); ++i)
+  {
+    const TracedSeparatrix& line = graph.separatrices[i];
+    if (line.end == SeparatrixEnd::Line && std::abs(line.length - line.otherLength) <= reach)
+    {
+      stops.push_back({ static_cast<int>(i), PositionOnPath(graph, line.other, line.otherLength) });
+    }
+  }
+  std::vector<SeparatrixTie> ties;
+  for (const Stop& stop : stops)
+  {
+    const TracedSeparatrix& line = graph.separatrices[stop.line];
+    const TracedSeparatrix& other = graph.separatrices[line.other];
+    const bool isAtMeeting = other.end == SeparatrixEnd::HeadOn &&
+      std::abs(line.otherLength - 0.5 * other.headOnLength) <= reach;
+    const auto there = std::count_if(stops.begin(), stops.end(),
+      [&](const Stop& another)
+      {
+        return another.place.line == stop.place.line &&
+          std::abs(another.place.at - stop.place.at) <= reach;
+      });
+    if (there == 1 && !isAtMeeting)
+    {
+      ties.push_back({ { stop.line, line.other }, { line.length, line.otherLength }, {} });
+    }
+  }
+  return ties;
+}
 }
 
 TraceGraph TraceSeparatrices(const SeamlessMap& map, const Progress& progress)
 {
   progress.Report(0.0);
-  TraceGraph graph = Tracer(map, progress).Run();
-  progress.Report(1.0);
-  return graph;
+  // Separatrices that continue may tie with others, so ties are searched until there are no new ones. Most maps have
+  // none, and few need more than two rounds.
+  std::vector<SeparatrixTie> ties;
+  for (;;)
+  {
+    TraceGraph graph = Tracer(map, ties, progress).Run();
+    const std::vector<SeparatrixTie> found = FindTies(graph, SameTime * map.Extent());
+    if (found.empty())
+    {
+      progress.Report(1.0);
+      return graph;
+    }
+    ties.insert(ties.end(), found.begin(), found.end());
+  }
 }
 
 std::vector<LineSegment> TraceStreamline(

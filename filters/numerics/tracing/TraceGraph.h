@@ -3,12 +3,14 @@
 #include "LineWalk.h"
 #include "Progress.h"
 
+#include <array>
+
 namespace crossfield
 {
 /// Separatrices nearer than this, relative to the extent, are on one isoline. Levels are exact, but
 /// two that are equal by the symmetry of the domain, and not by an equation, differ by the rounding
 /// error of the solve (1e-14 to 1e-13).
-constexpr double SameIsoline = 4e-13;
+constexpr double SameIsoline = 1e-11;
 
 /// Reason why a separatrix ends.
 enum class SeparatrixEnd
@@ -39,6 +41,15 @@ struct TracedSeparatrix
   std::vector<LineSegment> segments;
 };
 
+/// A point at which two separatrices arrive at the same time, as the images of each other under a reflection of the
+/// domain do on its axis. Both continue, so that the T-mesh has the symmetry.
+struct SeparatrixTie
+{
+  std::array<int, 2> lines{};
+  std::array<double, 2> lengths{}; ///< Along each of the two.
+  std::array<int, 2> segments{};   ///< In which they meet, in the same triangle.
+};
+
 /// All separatrices of a map, each up to the first separatrix or boundary side that it meets
 /// (docs/method.md §13).
 struct TraceGraph
@@ -47,11 +58,12 @@ struct TraceGraph
   int extraSeparatrices =
     0;            ///< Number of extra ones, at the end: for boundary loops that no other meets.
   int headOn = 0; ///< Pairs that meet head-on.
+  std::vector<SeparatrixTie> ties;
 };
 
 /// Traces the separatrices of a map. All advance together, the shortest first; where two cross, the
-/// one that arrives later stops. Two on one isoline that meet head-on become one path. From each
-/// boundary loop that none meets, one extra separatrix starts at a right angle.
+/// one that arrives later stops, and none if both arrive at the same time and no others join them. Two on one
+/// isoline that meet head-on become one path. From each boundary loop that none meets, one extra separatrix starts at a right angle.
 TraceGraph TraceSeparatrices(const SeamlessMap& map, const Progress& progress = {});
 
 /// Traces the straight line from a point of a triangle to the boundary, or up to length `longest`.

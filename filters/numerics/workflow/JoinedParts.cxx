@@ -103,6 +103,7 @@ void Join(const TMesh& from, std::size_t cones, std::size_t loops, TMesh& to)
   to.extraSeparatrices += from.extraSeparatrices;
   to.headOn += from.headOn;
   to.crossings += from.crossings;
+  to.ties += from.ties;
   to.longest = std::max(to.longest, from.longest);
 }
 

@@ -298,7 +298,7 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain,
     const auto before = static_cast<int>(quads.mesh.quads.size());
     const std::vector<SideMeasure> sides = MeasureSides(quads.mesh);
     Outcome<std::vector<LayerReport>> layers =
-      Try([&] { return AddLayers(domain, curves, request.layers, quads); });
+      Try([&] { return AddLayers(domain, curves, request.layers, request.takesFewRows, quads); });
     if (layers.value)
     {
       sideCounts.Compare(sides, quads.mesh, options.prescribed);

@@ -106,6 +106,7 @@ AttemptReport ReportOf(const ResolvedRequest& request, const QuadAttemptRecord& 
                                                          : "";
   what += attempt.refinement > 1.0 ? ", on a finer triangle mesh" : "";
   what += !attempt.mergesBlocks ? ", without merging blocks" : "";
+  what += attempt.takesFewRows ? ", with fewer rows for layers" : "";
   if (!record.error)
   {
     return { what, record.quads };
@@ -192,6 +193,10 @@ private:
     if (!attempt.mergesBlocks)
     {
       steps.DoNotMerge();
+    }
+    if (attempt.takesFewRows)
+    {
+      steps.TakeFewRows();
     }
     return steps.MakeQuads(attempt.refinement, progress.Part(placed, 1.0));
   }
@@ -321,6 +326,12 @@ std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const Resolve
     next.motion = SingularityMotion::None;
     if (!request.singularities && next.layerDistance <= LayerDistanceLimit)
     {
+      return next;
+    }
+    if (!request.singularities && !last.attempt.takesFewRows)
+    {
+      next = last.attempt;
+      next.takesFewRows = true;
       return next;
     }
   }

@@ -25,6 +25,8 @@ struct QuadAttempt
   bool mergesBlocks = true; ///< Whether blocks are merged if that is requested.
   /// Factor of the distance that chosen singularities keep from layers.
   double layerDistance = 1.0;
+  /// Whether layers replace fewer rows than their growth needs, if irregular nodes leave no more.
+  bool takesFewRows = false;
   SingularityMotion motion = SingularityMotion::None;
   double refinement = 1.0; ///< Refinement of the triangle mesh (MeshThroughPoints).
 };

@@ -335,6 +335,15 @@ void QuadSteps::AddWarnings()
     // A user who gave positions must learn of it.
     (result.moves ? result.warnings : result.events).push_back(sentence);
   }
+  for (const LayerReport& layer : result.layers)
+  {
+    if (!layer.lack.empty())
+    {
+      result.warnings.push_back(Sentence(layer.lack + "; the quads behind the layer are up to " +
+          FormatNumber(layer.largestRatio, 2) + " times as high as its last row",
+        "use smaller quads, or a larger growth"));
+    }
+  }
   if (!this->Request.split)
   {
     this->AddEvents(DescribeCrowdedNodes(this->Domain, result.singularities));

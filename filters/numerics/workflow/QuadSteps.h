@@ -29,6 +29,8 @@ public:
 
   /// Makes quads without merging blocks, whatever the request says.
   void DoNotMerge();
+  /// Makes layers that replace as few rows as are free of irregular nodes.
+  void TakeFewRows() { this->Request.takesFewRows = true; }
 
 private:
   void Choose(const Progress& progress);

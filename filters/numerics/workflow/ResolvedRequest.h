@@ -18,6 +18,7 @@ struct ResolvedRequest : QuadRequest
   std::vector<std::array<std::string, 2>> partners; ///< Sides whose nodes match.
   std::vector<PairedSides> periodic; ///< The same with their motions (WithPeriodicSides).
   CurvedBoundary curves;             ///< Curves of the boundary (WithCurves).
+  bool takesFewRows = false;         ///< As in AddLayers; set for the last attempt.
 };
 
 /// Returns a request with the names of its sides, those of NameSides if it has none. Throws Error if a side

@@ -97,6 +97,7 @@ void Write(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFi
     data, names::SizeRange, { quality.size.min, quality.size.mean, quality.size.max });
   ColumnWriting::AddNumbers(data, names::SizeVariation, { quality.variation });
   ColumnWriting::AddNumbers(data, names::Size, { result.size });
+  ColumnWriting::AddIntegers(data, names::Symmetries, { result.smoothing.symmetries });
   ColumnWriting::AddIntegers(data, names::ZeroArcs, { result.counts.ZeroArcs() });
   addCount(names::IntegerVariables, result.counts.counts.size());
   ColumnWriting::AddNumbers(data, names::IntegerGap, { result.counts.Gap() });

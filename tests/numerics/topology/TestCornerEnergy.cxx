@@ -10,7 +10,7 @@ namespace
 constexpr double Interior = Pi / 16.0;
 
 /// Returns the index in −4 .. 4 of minimum energy at a given price per quarter, by brute force.
-int Cheapest(double angle, double price)
+int CheapestQuarters(double angle, double price)
 {
   int best = -4;
   for (int k = -4; k <= 4; ++k)
@@ -58,11 +58,11 @@ TEST(CornerEnergy, RangesOfTheTheorems)
     for (std::size_t i = 0; i < thresholds.size(); ++i)
     {
       const int above = 1 - static_cast<int>(i);
-      EXPECT_EQ(Cheapest(thresholds[i] * Pi - 1e-6, price), above + 1) << thresholds[i];
-      EXPECT_EQ(Cheapest(thresholds[i] * Pi + 1e-6, price), above) << thresholds[i];
+      EXPECT_EQ(CheapestQuarters(thresholds[i] * Pi - 1e-6, price), above + 1) << thresholds[i];
+      EXPECT_EQ(CheapestQuarters(thresholds[i] * Pi + 1e-6, price), above) << thresholds[i];
     }
-    EXPECT_EQ(Cheapest(1e-3, price), 2);
-    EXPECT_EQ(Cheapest(2.0 * Pi - 1e-3, price), 2 - static_cast<int>(thresholds.size()));
+    EXPECT_EQ(CheapestQuarters(1e-3, price), 2);
+    EXPECT_EQ(CheapestQuarters(2.0 * Pi - 1e-3, price), 2 - static_cast<int>(thresholds.size()));
   };
   check(scarce, Interior);
   check(excess, -Interior);

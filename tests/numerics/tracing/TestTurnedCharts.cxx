@@ -1,6 +1,7 @@
 // The map, its T-mesh and edge counts need no common frame of the triangles: with the chart of each
 // triangle turned by a random angle they are the same.
 
+#include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "PhaseSteps.h"
 #include "Quantisation.h"
@@ -119,8 +120,10 @@ void ExpectSame(
 TEST(TurnedCharts, GiveTheSameMapTMeshAndCounts)
 {
   Random random(45);
-  ExpectSame(Builtin("disk", 0.05), OnCircle(4, 0.6, Pi / 4.0, 1, 0.0), 0.05, random);
-  ExpectSame(Builtin("ring", 0.05), {}, 0.05, random);
+  // Without reflections: on a symmetric mesh rounding errors decide where it is cut.
+  ExpectSame(Builtin("disk", 0.05), OnCircle(4, 0.6, 0.3, 1, 0.0), 0.05, random);
+  ExpectSame(MakePlanarDomain({ RegularPolygon(60), RegularPolygon(40, 0.4, { 0.1, 0.07 }) }), {},
+    0.05, random);
   ExpectSame(Builtin("square"), { { { 0.3, 0.4 }, 1 }, { { 0.7, 0.45 }, -1 } }, 0.05, random);
 }
 }

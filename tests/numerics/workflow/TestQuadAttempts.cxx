@@ -16,7 +16,8 @@ namespace
 {
 auto Values(const QuadAttempt& a)
 {
-  return std::tuple(a.hasSingularities, a.mergesBlocks, a.layerDistance, a.motion, a.refinement);
+  return std::tuple(
+    a.hasSingularities, a.mergesBlocks, a.layerDistance, a.takesFewRows, a.motion, a.refinement);
 }
 
 enum class Result
@@ -161,11 +162,13 @@ TEST(QuadAttempts, MoveChosenSingularitiesAwayFromLayersUpToALimit)
   {
     made.push_back(Record(*attempt, Result::LackOfRows));
   }
-  ASSERT_EQ(made.size(), 5U);
+  ASSERT_EQ(made.size(), 6U);
   EXPECT_TRUE(made[0].attempt.mergesBlocks);
   EXPECT_FALSE(made[1].attempt.mergesBlocks);
   EXPECT_EQ(made[1].attempt.layerDistance, 1.0);
   EXPECT_NEAR(made[4].attempt.layerDistance, 2.197, 1e-12);
+  EXPECT_FALSE(made[4].attempt.takesFewRows);
+  EXPECT_TRUE(made[5].attempt.takesFewRows);
   // Given ones stay.
   request.merge = BlockMerge::None;
   request.singularities.emplace();
