@@ -106,8 +106,8 @@ class Curves(ProgramTest):
             self.report("plate.vtp", "--curve", "hole:circle", "--order", order)
             os.rename(self.folder / "quads.vtu", self.folder / "domain.vtu")
             report = self.report("domain.vtu")
-            self.assertEqual([side["name"] for side in report["sides"]],
-                             [side["name"] for side in self.report("plate.vtp", "--curve", "hole:circle")["sides"]])
+            again = self.report("plate.vtp", "--curve", "hole:circle")
+            self.assertEqual(*({side["name"] for side in one["sides"]} for one in (report, again)))
             self.assertLess(self.nodes_on_circle((1.4, 1.0), 0.4, 1)[0], 1e-12)
 
     def test_the_summary_has_a_line_for_each_curve(self):

@@ -285,7 +285,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
       return CompleteSector(*sector,
         TriangulateDomain(
           sector->domain, LoopMarks(sector->domain), size, progress, sector->vertices, frame),
-        drilled, marks, reach);
+        drilled, options.vertices, marks, reach);
     }
   }
   return TriangulateDomain(drilled, marks, size, progress, options.vertices, frame);

@@ -28,7 +28,6 @@ public:
   {
     return this->Turn.inverse() * Point(point - this->Centre);
   }
-  Point FromRays(const Point& local) const { return this->Centre + this->Turn * local; }
 
   /// Returns the distance from the line of the first or second ray, positive on the side of the sector.
   double Distance(const Point& local, int ray) const
@@ -52,11 +51,6 @@ public:
     }
     return -1;
   }
-  /// Returns the point on a ray that is nearest to one near it.
-  Point OnRay(const Point& local, int ray) const
-  {
-    return std::max(0.0, this->Along(local, ray)) * (ray == 0 ? Point(1.0, 0.0) : this->Second);
-  }
   /// Returns the position of a point of a ray along the sector's border, which leads from the far end of the second
   /// ray to the centre, at 0, and along the first ray; the sector is on its left.
   double Position(const Point& local, int ray) const
@@ -76,33 +70,35 @@ private:
   const double Reach;
 };
 
-/// A vertex of the boundary in coordinates of the rays.
+/// A vertex of the boundary.
 struct Vertex
 {
-  Point local = Point::Zero();
-  int ray = -1;
+  Point place = Point::Zero();
+  Point local = Point::Zero(); ///< In coordinates of the rays.
+  int ray = -1;                ///< The ray that it is on, −1 for none.
 };
 
-/// Returns a loop in coordinates of the rays, with a vertex wherever it crosses one of them.
+/// Returns the vertices of a loop, with one wherever it crosses a ray.
 std::vector<Vertex> WithCrossings(const Loop& loop, const Rays& rays, double reach)
 {
   std::vector<Vertex> vertices;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
+    const Point along = loop[(i + 1) % loop.size()] - loop[i];
     const Point from = rays.ToRays(loop[i]);
     const Point to = rays.ToRays(loop[(i + 1) % loop.size()]);
-    const int ray = rays.RayOf(from);
-    vertices.push_back({ ray < 0 ? from : rays.OnRay(from, ray), ray });
+    vertices.push_back({ loop[i], from, rays.RayOf(from) });
     for (const int crossed : { 0, 1 })
     {
       const double before = rays.Distance(from, crossed);
       const double after = rays.Distance(to, crossed);
       if (std::min(before, after) < -reach && std::max(before, after) > reach)
       {
-        const Point place = from + before / (before - after) * (to - from);
-        if (rays.RayOf(place) == crossed)
+        const Point place = loop[i] + before / (before - after) * along;
+        const Point local = rays.ToRays(place);
+        if (rays.RayOf(local) == crossed)
         {
-          vertices.push_back({ rays.OnRay(place, crossed), crossed });
+          vertices.push_back({ place, local, crossed });
         }
       }
     }
@@ -153,7 +149,7 @@ public:
     std::vector<std::vector<Vertex>> between(this->Chains.size());
     if (needsCentre)
     {
-      onRays.push_back({ Point::Zero(), 0 });
+      onRays.push_back({ sector.group.centre, Point::Zero(), 0 });
     }
     for (std::size_t i = 0; i < ends.size(); i += 2)
     {
@@ -176,12 +172,12 @@ public:
       const std::vector<Vertex>& vertices = this->Chains[chain].vertices;
       for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
       {
-        this->Add(vertices[i], this->Chains[chain].loop, outer, sector);
+        Add(vertices[i], this->Chains[chain].loop, outer, sector);
       }
-      this->Add(vertices.back(), MirrorLine, outer, sector);
+      Add(vertices.back(), MirrorLine, outer, sector);
       for (const Vertex& vertex : between[chain])
       {
-        this->Add(vertex, MirrorLine, outer, sector);
+        Add(vertex, MirrorLine, outer, sector);
       }
       chain = following[chain];
       ++joined;
@@ -192,7 +188,7 @@ public:
       Loop loop;
       for (const Vertex& vertex : inner.vertices)
       {
-        this->Add(vertex, inner.loop, loop, sector);
+        Add(vertex, inner.loop, loop, sector);
       }
       sector.domain.loops.push_back(std::move(loop));
     }
@@ -259,11 +255,10 @@ private:
     return between;
   }
 
-  void Add(const Vertex& vertex, int loopOfSide, Loop& loop, MirrorSector& sector) const
+  static void Add(const Vertex& vertex, int loopOfSide, Loop& loop, MirrorSector& sector)
   {
-    const Point place = this->Border.FromRays(vertex.local);
-    loop.push_back(place);
-    sector.loopOfSide[{ place.x(), place.y() }] = loopOfSide;
+    loop.push_back(vertex.place);
+    sector.loopOfSide[{ vertex.place.x(), vertex.place.y() }] = loopOfSide;
   }
 
   const Rays& Border;
@@ -327,6 +322,8 @@ public:
     return number;
   }
 
+  /// Returns the place of a numbered image.
+  Point& PlaceOf(int number) { return this->Points[number]; }
   std::vector<Point> ReleasePoints() { return std::move(this->Points); }
 
 private:
@@ -344,6 +341,33 @@ private:
   std::vector<std::vector<int>> Numbers; ///< Of vertices, per image.
   std::vector<Point> Points;
 };
+
+/// Returns the place on the boundary of the domain that an image of a boundary vertex has but for rounding: a
+/// vertex of a loop, or the nearest point of a segment. `hint` is where the search begins, and the segment found.
+Point RestoredPlace(const Loop& loop, const Point& image, double reach, std::size_t& hint)
+{
+  const std::size_t count = loop.size();
+  for (std::size_t distance = 0; distance <= count / 2 + 1; ++distance)
+  {
+    for (const std::size_t segment :
+      { (hint + distance) % count, (hint + count - distance % count) % count })
+    {
+      const Point& from = loop[segment];
+      const Point& to = loop[(segment + 1) % count];
+      const Point along = to - from;
+      const double part = (image - from).dot(along) / along.squaredNorm();
+      const Point place = from + part * along;
+      if ((image - place).norm() > reach || part * along.norm() < -reach ||
+        (1.0 - part) * along.norm() < -reach)
+      {
+        continue;
+      }
+      hint = segment;
+      return (image - from).norm() <= reach ? from : (image - to).norm() <= reach ? to : place;
+    }
+  }
+  return image; // a vertex on a straight side that other sectors have not
+}
 
 /// Returns the loop of the whole domain that each boundary edge of a sector's mesh is part of, −1 for mirror lines.
 std::vector<int> LoopsOfEdges(const MirrorSector& sector, const TriangleMesh& mesh)
@@ -397,7 +421,7 @@ std::optional<MirrorSector> CutMirrorSector(const PlanarDomain& domain, const Sy
     const int ray = rays.RayOf(local);
     if (ray >= 0)
     {
-      onRays.push_back({ rays.OnRay(local, ray), ray });
+      onRays.push_back({ point, local, ray });
     }
     else if (rays.IsInside(local))
     {
@@ -413,9 +437,11 @@ std::optional<MirrorSector> CutMirrorSector(const PlanarDomain& domain, const Sy
 }
 
 TriangleMesh CompleteSector(const MirrorSector& sector, const TriangleMesh& mesh,
-  const PlanarDomain& domain, const std::vector<BoundaryEdge>& marks, double reach)
+  const PlanarDomain& domain, const std::vector<Point>& vertices,
+  const std::vector<BoundaryEdge>& marks, double reach)
 {
   const std::vector<int> loops = LoopsOfEdges(sector, mesh);
+  std::vector<std::size_t> hints(domain.loops.size(), 0);
   SectorImages images(sector, mesh, reach);
   TriangleMesh whole;
   for (int turns = 0; turns < sector.group.order; ++turns)
@@ -442,13 +468,28 @@ TriangleMesh CompleteSector(const MirrorSector& sector, const TriangleMesh& mesh
             ImageOfInnerLoop(domain, ImageOf(sector, reflected, turns), Index(loops[e]));
         }
         const auto& [from, to] = mesh.boundary[e].vertices;
-        BoundaryEdge edge = marks[imageOfLoop[loops[e]]];
+        const std::size_t loop = imageOfLoop[loops[e]];
+        for (const int vertex : mesh.boundary[e].vertices)
+        {
+          Point& place = images.PlaceOf(image(vertex));
+          place = RestoredPlace(domain.loops[loop], place, reach, hints[loop]);
+        }
+        BoundaryEdge edge = marks[loop];
         edge.vertices = { image(reflected ? to : from), image(reflected ? from : to) };
         whole.boundary.push_back(edge);
       }
     }
   }
   whole.points = images.ReleasePoints();
+  for (const Point& given : vertices)
+  {
+    const auto image = std::find_if(whole.points.begin(), whole.points.end(),
+      [&](const Point& point) { return (point - given).norm() <= reach; });
+    if (image != whole.points.end())
+    {
+      *image = given;
+    }
+  }
   return whole;
 }
 }

@@ -24,14 +24,15 @@ struct MirrorSector
 
 /// Cuts a sector out of a domain that has the symmetries of a group with reflections. Its first mirror line is the
 /// first one of the group at an angle of at least `from`, radians; if the group has very many, those of a subgroup are used. Of `vertices`, those outside the sector are left out. Points
-/// nearer to a mirror line than `reach` are moved onto it. Returns none if the boundary does not cross the mirror
+/// nearer to a mirror line than `reach` are on it. Returns none if the boundary does not cross the mirror
 /// lines alternately from outside and from inside, which only rounding can cause.
 std::optional<MirrorSector> CutMirrorSector(const PlanarDomain& domain, const SymmetryGroup& group,
   double from, const std::vector<Point>& vertices, double reach);
 
 /// Returns the mesh of the whole domain: the images of the mesh of a sector under all elements of
 /// its group, joined at the mirror lines. `marks` has the kind, id and quarter index of each loop of
-/// the domain.
+/// the domain. Its boundary and `vertices` are exactly where they were given.
 TriangleMesh CompleteSector(const MirrorSector& sector, const TriangleMesh& mesh,
-  const PlanarDomain& domain, const std::vector<BoundaryEdge>& marks, double reach);
+  const PlanarDomain& domain, const std::vector<Point>& vertices,
+  const std::vector<BoundaryEdge>& marks, double reach);
 }

@@ -63,25 +63,32 @@ public:
   }
 
   /// Computes the edge counts for the given size, or for a size that gives the requested number of
-  /// quads. That size is searched for with quick solutions.
+  /// quads. That size is searched for with quick solutions. Counts have the symmetries of the domain,
+  /// or one reflection, or none, as far as a requested number permits it.
   void ComputeCounts(const Progress& progress)
   {
-    this->Orbits = this->FindOrbits();
-    const bool given = this->Options.quadSize > 0.0;
-    EdgeCounts found = this->CountsForSize([&](double size)
-      { return this->QuantiseFor(size, given ? SearchEffort::Thorough : SearchEffort::Quick); },
-      progress);
-    if (!given && !found.optimal)
+    std::optional<EdgeCounts> best;
+    for (const std::vector<Isometry>& symmetries : this->SymmetriesToTry())
     {
-      EdgeCounts best = this->QuantiseFor(found.size, SearchEffort::Thorough);
-      const double error = this->CountError(best, this->Options.quadCount);
-      if (error <= CountTolerance || error <= this->CountError(found, this->Options.quadCount))
+      this->Orbits = this->FindOrbits(symmetries);
+      if (best && this->Orbits->CountSymmetries() == 1 && symmetries.size() > 1)
       {
-        best.size = found.size;
-        found = std::move(best);
+        continue; // not a symmetry of the T-mesh
+      }
+      EdgeCounts found = this->FindCounts(progress);
+      const bool fits = this->Options.quadSize > 0.0 ||
+        this->CountError(found, this->Options.quadCount) <= CountTolerance;
+      const bool isLast = this->Orbits->CountSymmetries() == 1;
+      if (!best || fits)
+      {
+        best = std::move(found);
+      }
+      if (fits || isLast)
+      {
+        break;
       }
     }
-    SetCounts(std::move(found), this->Result);
+    SetCounts(std::move(*best), this->Result);
   }
 
   void Build(QuadResult& result) const
@@ -215,15 +222,52 @@ private:
     return this->CountsOf(std::move(problem), size, effort);
   }
 
-  /// Finds the arcs that get equal counts by symmetry; none if prescribed sums do not permit that.
-  ArcOrbits FindOrbits() const
+  /// Returns the lists of symmetries for counts, the identity first: all of the domain, two
+  /// reflections, and none.
+  std::vector<std::vector<Isometry>> SymmetriesToTry() const
+  {
+    std::vector<std::vector<Isometry>> lists = { FindSymmetries(this->Domain).Elements() };
+    // All others are images of two neighbouring ones under rotations.
+    constexpr std::size_t MaximumReflections = 2;
+    for (std::size_t i = 1; i < lists[0].size() && lists.size() <= MaximumReflections; ++i)
+    {
+      if (lists[0][i].reflects)
+      {
+        lists.push_back({ lists[0][0], lists[0][i] });
+      }
+    }
+    lists.push_back({ lists[0][0] });
+    return lists;
+  }
+
+  /// Returns the counts for the present orbits.
+  EdgeCounts FindCounts(const Progress& progress) const
+  {
+    const bool given = this->Options.quadSize > 0.0;
+    EdgeCounts found = this->CountsForSize([&](double size)
+      { return this->QuantiseFor(size, given ? SearchEffort::Thorough : SearchEffort::Quick); },
+      progress);
+    if (!given && !found.optimal)
+    {
+      EdgeCounts thorough = this->QuantiseFor(found.size, SearchEffort::Thorough);
+      const double error = this->CountError(thorough, this->Options.quadCount);
+      if (error <= CountTolerance || error <= this->CountError(found, this->Options.quadCount))
+      {
+        thorough.size = found.size;
+        found = std::move(thorough);
+      }
+    }
+    return found;
+  }
+
+  /// Finds the arcs that get equal counts by symmetries; none if prescribed sums do not permit that.
+  ArcOrbits FindOrbits(const std::vector<Isometry>& symmetries) const
   {
     // Nodes are nearer to their images than this part of an edge, or the mesh has not the symmetry.
     constexpr double Near = 0.25;
     const QuantisationProblem problem = this->ProblemFor(FirstSize(this->Options, this->Area));
     const TMesh& tMesh = this->Result.tMesh;
-    ArcOrbits orbits(tMesh, FindSymmetries(this->Domain).Elements(), problem,
-      Near * FirstSize(this->Options, this->Area));
+    ArcOrbits orbits(tMesh, symmetries, problem, Near * FirstSize(this->Options, this->Area));
     QuantisationProblem equated = problem;
     orbits.Equate(equated);
     return problem.sums.empty() || FindFeasibleCounts(tMesh, equated)

@@ -123,7 +123,7 @@ TEST(SymmetricQuads, PartsKeepTheirSymmetries)
     { "nonagon", MakePlanarDomain({ RegularPolygon(9) }), 2 },
     { "nut", MakePlanarDomain({ RegularPolygon(6), RegularPolygon(48, 0.5) }), 12 },
     { "flange3", Flange(3), 2 }, { "flange4", Flange(4), 8 }, { "flange6", Flange(6), 2 },
-    { "gear6", Gear(6), 4 }, { "gear8", Gear(8), 8 }, { "gear12", Gear(12), 8 },
+    { "gear6", Gear(6), 4 }, { "gear8", Gear(8), 8 }, { "gear12", Gear(12), 4 },
     { "star5", Star(5), 10 }, { "star6", Star(6), 2 }, { "plate2x2", PlateWithHoles(2, 2), 8 },
     { "plate3x2", PlateWithHoles(3, 2), 4 } };
   for (const Case& one : cases)
