@@ -73,7 +73,7 @@ class Check(TopologyTest):
         self.assertIn("5 very sharp corners count as ordinary ones, with one quad; without this the sum is -1 ",
                       report["reason"])
         self.check("builtin:star", "--propose", "star.csv")
-        self.succeed("quads", "builtin:star", "-s", "star.csv", "--quads", "300", "-o", "quads.vtu")
+        self.succeed("quads", "builtin:star", "-s", "star.csv", "--quads", "1000", "-o", "quads.vtu")
 
     def test_an_inconsistent_configuration_says_what_to_do(self):
         write_configuration(self.folder / "one.csv", [(0.0, 0.0, 1, 0.1)])

@@ -145,7 +145,9 @@ TEST(NarrowParts, MeshesOfOrdinaryDomainsAreUnchanged)
   for (const PlanarDomain& domain : { LShape(), DiskOfEdges(0.1), Rectangle(2.0, 1.0) })
   {
     const TriangleMesh mesh = MeshThroughPoints(domain, {});
-    const TriangleMesh plain = DrillHoles(domain, {});
+    DrillOptions options;
+    options.symmetries = FindSymmetries(domain);
+    const TriangleMesh plain = DrillHoles(domain, {}, options);
     EXPECT_EQ(mesh.points, plain.points);
     EXPECT_EQ(mesh.triangles, plain.triangles);
   }
