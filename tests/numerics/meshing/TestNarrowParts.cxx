@@ -171,7 +171,7 @@ TEST(NarrowParts, RefinementDividesAllEdgeLengths)
   {
     const TriangleMesh mesh = MeshThroughPoints(domain, {});
     const TriangleMesh fine = MeshThroughPoints(domain, {}, 0.0, {}, 2.0);
-    EXPECT_LT(LongestEdge(fine), 0.7 * LongestEdge(mesh));
+    EXPECT_LT(LongestEdge(fine), 0.75 * LongestEdge(mesh));
     const double ratio =
       static_cast<double>(fine.triangles.size()) / static_cast<double>(mesh.triangles.size());
     EXPECT_GT(ratio, 3.0);
