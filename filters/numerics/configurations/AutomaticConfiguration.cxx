@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -87,9 +88,9 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
     std::make_tuple(otherDefect, other.rankingEnergy);
 }
 
-/// Returns whether a start has less energy than a minimum, by more than the error of the meshes: the
-/// start that was best may have had a defect, which cost energy to remove. A start with a defect
-/// promises nothing.
+/// Returns whether a start has less energy than a minimum, by more than the error of the meshes:
+/// the start that was best may have had a defect, which cost energy to remove. A start with a
+/// defect promises nothing.
 bool PromisesMore(const ProposedConfiguration& start, const OptimizerResult& minimum)
 {
   constexpr double MeshError = 1e-2;
@@ -147,8 +148,9 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   return result;
 }
 
-/// If singularities have more symmetries of the domain after moves of at most `distance`, continues from there, and
-/// uses the result if it has more symmetries, and its energy is higher by less than these are worth.
+/// If singularities have more symmetries of the domain after moves of at most `distance`, continues
+/// from there, within the solves that `options` leave, and uses the result if it has more
+/// symmetries and its energy is higher by less than these are worth.
 void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options, double distance,
   const Progress& progress, AutomaticConfiguration& result)
 {
@@ -164,28 +166,42 @@ void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options,
   }
   OptimizerResult tried = OptimizeSingularities(domain, symmetric, options, progress);
   tried.solves += result.optimum.solves;
+  result.optimum.solves = tried.solves;
+  result.optimum.aborted = tried.aborted;
   const std::size_t after = count(tried.configuration, exact);
+  if (tried.aborted || after <= before) // they may be a saddle
+  {
+    return;
+  }
   // Sizes that differ by so much more are not seen in a mesh.
   constexpr double SameSpread = 0.02;
   const double rise = tried.rankingEnergy - result.optimum.rankingEnergy;
-  const bool isBetter = after > before &&
+  const bool isBetter =
     HasConvergedWithoutDefect(tried) >= HasConvergedWithoutDefect(result.optimum) &&
     tried.sizeSpread <= result.optimum.sizeSpread + SameSpread &&
     rise < WorthOfSymmetries(after) - WorthOfSymmetries(before);
   std::ostringstream text;
   text << "Positions with " << after << " instead of " << before
-       << " symmetries of the domain, with the identity, " << (isBetter ? "are" : "were not")
+       << " symmetries of the domain, counting the identity, " << (isBetter ? "are" : "were not")
        << " used: their energy is " << FormatNumber(std::abs(rise), 3)
-       << (rise < 0.0 ? " lower." : " higher.");
+       << (rise < 0.0 ? " lower" : " higher") << ", their spread of sizes "
+       << FormatNumber(tried.sizeSpread, 3) << " instead of "
+       << FormatNumber(result.optimum.sizeSpread, 3) << ".";
   result.events.push_back(text.str());
-  if (!isBetter)
+  if (isBetter)
   {
-    result.optimum.solves = tried.solves;
-    return;
+    result.optimum = std::move(tried);
+    result.singularities = result.optimum.configuration;
+    AddEvents(result);
   }
-  result.optimum = std::move(tried);
-  result.singularities = result.optimum.configuration;
-  AddEvents(result);
+}
+
+/// Returns a limit of solves less those that were made, 0 for any number; none if it is reached.
+std::optional<std::size_t> SolvesLeft(std::size_t limit, std::size_t made)
+{
+  return limit == 0 ? std::optional<std::size_t>(0)
+    : made < limit  ? std::optional<std::size_t>(limit - made)
+                    : std::nullopt;
 }
 
 /// Continues the optimisation from the minimum of the energy with the clearance for quads, towards
@@ -203,13 +219,16 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
     fit.sizes.sizing = Sizing::Uniform;
   }
   const std::size_t before = result.optimum.solves;
-  result.optimum = OptimizeSingularities(domain, result.singularities, fit, progress);
+  result.optimum =
+    OptimizeSingularities(domain, result.singularities, fit, progress.Part(0.0, 0.7));
+  const std::optional<std::size_t> left = SolvesLeft(fit.maximumSolves, result.optimum.solves);
   result.optimum.solves += before;
   result.singularities = result.optimum.configuration;
   AddEvents(result);
-  if (options.proposal.given.empty() && !result.optimum.aborted)
+  if (options.proposal.given.empty() && !result.optimum.aborted && left)
   {
-    ImposeSymmetry(domain, fit, ResolveQuadSize(domain, options), progress, result);
+    fit.maximumSolves = *left;
+    ImposeSymmetry(domain, fit, ResolveQuadSize(domain, options), progress.Part(0.7, 1.0), result);
   }
   if (fit.sizes.sizing != Sizing::Field && fit.pairs == 0 &&
     result.optimum.sizeSpread > options.acceptedSpread)
@@ -302,12 +321,14 @@ AutomaticConfiguration ChooseConfiguration(
     }
   }
   best.optimum.solves = solves;
-  if (options.proposal.given.empty() && !best.optimum.aborted)
+  const std::optional<std::size_t> left = SolvesLeft(options.maximumSolves, solves);
+  if (options.proposal.given.empty() && !best.optimum.aborted && left)
   {
     // Enough to turn four singularities in a disk by an eighth of a turn.
     constexpr double LargestMove = 0.1;
     OptimizerOptions run = minimum.optimizer;
     run.corners = best.corners;
+    run.maximumSolves = *left;
     ImposeSymmetry(
       domain, run, LargestMove * domain.Diagonal(), progress.Part(0.8, fits ? 0.85 : 1.0), best);
   }
@@ -317,8 +338,8 @@ AutomaticConfiguration ChooseConfiguration(
   }
   if (options.proposal.given.empty())
   {
-    // The energy is flat within a quarter of a quad, and the error of the mesh decides on which side
-    // of the symmetric position its minimum is.
+    // The energy is flat within a quarter of a quad, and the error of the mesh decides on which
+    // side of the symmetric position its minimum is.
     MakeSymmetric(
       domain, FindSymmetries(domain), 0.25 * ResolveQuadSize(domain, options), best.singularities);
   }

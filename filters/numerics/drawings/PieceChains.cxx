@@ -51,8 +51,8 @@ bool IsSame(const DrawingPiece& a, const DrawingPiece& b, double tolerance)
     (isOpposite && IsNear(quarter(a, 0.25), quarter(b, 0.75), tolerance));
 }
 
-/// Returns the indices of the pieces without those that are in the same place as an earlier one, which
-/// `hasCopy` marks.
+/// Returns the indices of the pieces without those that are in the same place as an earlier one,
+/// which `hasCopy` marks.
 std::vector<std::size_t> WithoutRepeated(const std::vector<DrawingPiece>& pieces, double tolerance,
   std::vector<bool>& hasCopy, std::vector<std::string>& warnings)
 {
@@ -127,8 +127,8 @@ bool LiesOn(const DrawingPiece& piece, const DrawingPiece& other, double toleran
     isOn(piece.first) && isOn(at(0.5)) && isOn(piece.last);
 }
 
-/// Leaves out pieces that lie on longer ones, and ways there and back, at ends that are not joined in pairs,
-/// if the others are closed curves.
+/// Leaves out pieces that lie on longer ones, and ways there and back, at ends that are not joined
+/// in pairs, if the others are closed curves.
 std::vector<std::size_t> WithoutCovered(const std::vector<DrawingPiece>& pieces,
   const std::vector<std::size_t>& given, const std::vector<bool>& hasCopy, double tolerance,
   std::vector<std::string>& warnings)

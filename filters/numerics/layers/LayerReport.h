@@ -17,7 +17,8 @@ struct LayerReport
   double minimumHeight = 0.0; ///< Of the first row, normal to the wall.
   double maximumHeight = 0.0; ///< Of the first row, normal to the wall.
   double meanThickness = 0.0; ///< Length across all rows.
-  /// Part of the length of the side whose first row deviates at most 5 % from the prescribed height.
+  /// Part of the length of the side whose first row deviates at most 5 % from the prescribed
+  /// height.
   double partInBounds = 0.0;
   double largestGrowth = 1.0; ///< Maximum ratio of the heights of neighbouring rows of the layer.
   /// Maximum ratio of the heights of neighbouring quads across the layer, either way, including the
@@ -28,7 +29,7 @@ struct LayerReport
 };
 
 /// Measures the layers of a mesh. rows[e] is the number of rows beside edge e of mesh.boundary.
-/// Heights are distances from the line through the edge at the wall. Requires that every side of the
-/// prescriptions has an edge.
+/// Heights are distances from the line through the edge at the wall. Requires that every side of
+/// the prescriptions has an edge.
 std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::vector<int>& rows);
 }

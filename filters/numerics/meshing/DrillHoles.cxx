@@ -185,8 +185,8 @@ Eigen::AlignedBox2d BoxOf(const Loop& loop)
   return box;
 }
 
-/// Builds the size field of a domain, in the coordinates of a frame, from the sources of the options
-/// and of the boundary and, on request, of narrow parts.
+/// Builds the size field of a domain, in the coordinates of a frame, from the sources of the
+/// options and of the boundary and, on request, of narrow parts.
 SizeField MakeSizeField(const PlanarDomain& given, double meshSize, const DrillOptions& options,
   const CanonicalFrame& frame)
 {

@@ -37,8 +37,8 @@ struct DrillOptions
   std::vector<SizeSource> refinements;
   /// Points inside the domain that become vertices; used by Perforate and Imprint.
   std::vector<Point> vertices;
-  /// Symmetries that domain, refinements and vertices have. If there are reflections among them, and no holes are
-  /// drilled, the mesh has them exactly, up to rounding.
+  /// Symmetries that domain, refinements and vertices have. If there are reflections among them,
+  /// and no holes are drilled, the mesh has them exactly, up to rounding.
   SymmetryGroup symmetries;
 };
 

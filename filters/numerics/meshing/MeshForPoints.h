@@ -22,8 +22,8 @@ TriangleMesh MeshForConfigurations(const PlanarDomain& domain,
   const Progress& progress = {});
 
 /// Works as MeshForPoints with a vertex at each singularity, as SolveSeamlessMap requires.
-/// `refinement` divides all edge lengths. If reflections are among the symmetries of the domain with the
-/// singularities, the mesh has these symmetries (DrillOptions::symmetries).
+/// `refinement` divides all edge lengths. If reflections are among the symmetries of the domain
+/// with the singularities, the mesh has these symmetries (DrillOptions::symmetries).
 TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {}, double refinement = 1.0);
 }

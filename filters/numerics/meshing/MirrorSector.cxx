@@ -12,7 +12,8 @@ namespace crossfield
 {
 namespace
 {
-/// The two rays between which a sector is, in coordinates in which the first one is the positive x axis.
+/// The two rays between which a sector is, in coordinates in which the first one is the positive x
+/// axis.
 class Rays
 {
 public:
@@ -29,7 +30,8 @@ public:
     return this->Turn.inverse() * Point(point - this->Centre);
   }
 
-  /// Returns the distance from the line of the first or second ray, positive on the side of the sector.
+  /// Returns the distance from the line of the first or second ray, positive on the side of the
+  /// sector.
   double Distance(const Point& local, int ray) const
   {
     return ray == 0 ? local.y() : Cross(local, this->Second);
@@ -51,8 +53,8 @@ public:
     }
     return -1;
   }
-  /// Returns the position of a point of a ray along the sector's border, which leads from the far end of the second
-  /// ray to the centre, at 0, and along the first ray; the sector is on its left.
+  /// Returns the position of a point of a ray along the sector's border, which leads from the far
+  /// end of the second ray to the centre, at 0, and along the first ray; the sector is on its left.
   double Position(const Point& local, int ray) const
   {
     return ray == 0 ? this->Along(local, 0) : -this->Along(local, 1);
@@ -126,9 +128,17 @@ public:
     }
   }
 
-  /// Joins the chains along the rays, with the points that are on these. Returns whether that is possible.
+  /// Joins the chains along the rays, with the points that are on these. Returns whether that is
+  /// possible.
   bool Join(std::vector<Vertex> onRays, bool needsCentre, MirrorSector& sector)
   {
+    const auto isFromRayToRay = [](const Chain& chain)
+    { return chain.vertices.front().ray >= 0 && chain.vertices.back().ray >= 0; };
+    if (this->Chains.empty() ||
+      !std::all_of(this->Chains.begin(), this->Chains.end(), isFromRayToRay))
+    {
+      return false;
+    }
     struct End
     {
       double position;
@@ -159,10 +169,6 @@ public:
       }
       following[ends[i].chain] = ends[i + 1].chain;
       between[ends[i].chain] = this->Between(onRays, ends[i].position, ends[i + 1].position);
-    }
-    if (ends.empty())
-    {
-      return false;
     }
     Loop outer;
     std::size_t joined = 0;
@@ -220,19 +226,21 @@ private:
       }
       return;
     }
+    bool continues = false;
     for (std::size_t i = first; i < first + count; ++i)
     {
       const Vertex& vertex = vertices[i % count];
-      const bool begins = vertex.ray >= 0;
       if (!isInside(i))
       {
+        continues = false;
         continue;
       }
-      if (begins)
+      if (!continues || vertex.ray >= 0)
       {
         this->Chains.push_back({ { vertex }, loop });
       }
       this->Chains.back().vertices.push_back(vertices[(i + 1) % count]);
+      continues = true;
     }
   }
 
@@ -297,7 +305,8 @@ public:
     }
   }
 
-  /// Returns the number of a vertex of the sector, or of its image in the first mirror line, after some turns.
+  /// Returns the number of a vertex of the sector, or of its image in the first mirror line, after
+  /// some turns.
   int Number(int vertex, bool reflected, int turns)
   {
     // Images on mirror lines have one number, that of the image without a reflection.
@@ -342,8 +351,9 @@ private:
   std::vector<Point> Points;
 };
 
-/// Returns the place on the boundary of the domain that an image of a boundary vertex has but for rounding: a
-/// vertex of a loop, or the nearest point of a segment. `hint` is where the search begins, and the segment found.
+/// Returns the place on the boundary of the domain that an image of a boundary vertex has but for
+/// rounding: a vertex of a loop, or the nearest point of a segment. `hint` is where the search
+/// begins, and the segment found.
 Point RestoredPlace(const Loop& loop, const Point& image, double reach, std::size_t& hint)
 {
   const std::size_t count = loop.size();
@@ -366,10 +376,11 @@ Point RestoredPlace(const Loop& loop, const Point& image, double reach, std::siz
       return (image - from).norm() <= reach ? from : (image - to).norm() <= reach ? to : place;
     }
   }
-  return image; // a vertex on a straight side that other sectors have not
+  return image; // the boundary is symmetric up to `reach` only
 }
 
-/// Returns the loop of the whole domain that each boundary edge of a sector's mesh is part of, −1 for mirror lines.
+/// Returns the loop of the whole domain that each boundary edge of a sector's mesh is part of, −1
+/// for mirror lines.
 std::vector<int> LoopsOfEdges(const MirrorSector& sector, const TriangleMesh& mesh)
 {
   std::vector<int> edgeFrom(mesh.points.size(), -1);

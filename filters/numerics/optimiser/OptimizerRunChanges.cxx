@@ -15,8 +15,8 @@ namespace crossfield
 {
 namespace
 {
-/// Number of absorptions in succession that did not lower the energy, after which no more are tried:
-/// they are tried in the order of what they promise.
+/// Number of absorptions in succession that did not lower the energy, after which no more are
+/// tried: they are tried in the order of what they promise.
 constexpr int MaximumFailures = 3;
 /// Maximum number of moves along the boundary; each is several clearances long, and no more are
 /// needed around a leading edge.
@@ -53,7 +53,8 @@ bool OptimizerRun::LeaveSaddle()
 void OptimizerRun::ReturnToSaddle()
 {
   // W contains π log(1/ρ) for a singularity of index ±1 with core radius ρ: a gain of 0.15 π for
-  // each is what sizes near it that differ by 15 % make. That is less than symmetric quads are worth.
+  // each is what sizes near it that differ by 15 % make. That is less than symmetric quads are
+  // worth.
   constexpr double SmallGain = 0.15 * Pi;
   if (!this->Saddle)
   {

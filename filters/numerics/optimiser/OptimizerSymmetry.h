@@ -5,9 +5,9 @@
 
 namespace crossfield
 {
-/// Returns the energy that a group of symmetries of so many elements is worth: 8 ln(elements). In a
-/// comparison of meshes of 34 domains, with less than 5 instead of 8 a disk with five holes loses its
-/// symmetry, with more than 20 others get many more blocks.
+/// Returns by how much the energy of positions with a group of symmetries may be higher: 8 ln n for
+/// n elements. In a comparison of meshes of 34 domains, with a factor below 5 a disk with five
+/// holes loses its symmetry, and above 20 other domains get many more blocks.
 double WorthOfSymmetries(std::size_t elements);
 
 /// Symmetries that the optimiser keeps (docs/method.md §5.5): those of the domain that the interior

@@ -12,9 +12,11 @@ namespace crossfield
 {
 namespace
 {
-/// Returns whether a symmetry leaves targets similar. Different prescribed sizes are more different.
+/// Returns whether targets of arcs and of their images are similar: different prescribed sizes are
+/// not.
 bool KeepsTargets(const std::vector<double>& target, const std::vector<int>& images)
 {
+  // Where the triangles are not symmetric, such as under rotations alone, targets differ by less.
   constexpr double Edges = 0.5;
   constexpr double Part = 0.1;
   for (std::size_t a = 0; a < images.size(); ++a)
@@ -28,7 +30,8 @@ bool KeepsTargets(const std::vector<double>& target, const std::vector<int>& ima
   return true;
 }
 
-/// Returns the terms of a sum in the order of arcs, with all signs changed if the first one is negative.
+/// Returns the terms of a sum in the order of arcs, with all signs changed if the first one is
+/// negative.
 std::vector<std::pair<int, int>> Ordered(std::vector<std::pair<int, int>> terms)
 {
   std::sort(terms.begin(), terms.end());

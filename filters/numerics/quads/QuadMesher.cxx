@@ -35,8 +35,8 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the size of quads that the options ask for in a domain with an area, from which a search for a number
-/// starts.
+/// Returns the size of quads that the options ask for in a domain with an area, from which a search
+/// for a number starts.
 double FirstSize(const QuadOptions& options, double area)
 {
   return options.quadSize > 0.0 ? options.quadSize : std::sqrt(area / options.quadCount);
@@ -63,27 +63,27 @@ public:
   }
 
   /// Computes the edge counts for the given size, or for a size that gives the requested number of
-  /// quads. That size is searched for with quick solutions. Counts have the symmetries of the domain,
-  /// or one reflection, or none, as far as a requested number permits it.
+  /// quads. That size is searched for with quick solutions. Counts have the symmetries of the
+  /// domain, or one reflection, or none, as far as a requested number permits it.
   void ComputeCounts(const Progress& progress)
   {
+    const std::vector<std::vector<Isometry>> lists = this->SymmetriesToTry();
+    const auto count = static_cast<double>(lists.size());
     std::optional<EdgeCounts> best;
-    for (const std::vector<Isometry>& symmetries : this->SymmetriesToTry())
+    for (std::size_t i = 0; i < lists.size(); ++i)
     {
-      this->Orbits = this->FindOrbits(symmetries);
-      if (best && this->Orbits->CountSymmetries() == 1 && symmetries.size() > 1)
+      this->Orbits = this->FindOrbits(lists[i]);
+      if (this->Orbits->CountSymmetries() == 1 && i + 1 < lists.size())
       {
-        continue; // not a symmetry of the T-mesh
+        continue; // no symmetries of the T-mesh, or prescribed sums do not permit them
       }
-      EdgeCounts found = this->FindCounts(progress);
-      const bool fits = this->Options.quadSize > 0.0 ||
-        this->CountError(found, this->Options.quadCount) <= CountTolerance;
-      const bool isLast = this->Orbits->CountSymmetries() == 1;
-      if (!best || fits)
+      const auto done = static_cast<double>(i);
+      EdgeCounts found = this->FindCounts(progress.Part(done / count, (done + 1.0) / count));
+      if (!best || this->CountError(found) < this->CountError(*best))
       {
         best = std::move(found);
       }
-      if (fits || isLast)
+      if (this->CountError(*best) <= CountTolerance)
       {
         break;
       }
@@ -184,8 +184,8 @@ private:
     const std::vector<QuadPoint> before = mesh.points;
     FindPairs(mesh);
     MatchPairs(this->Curves, mesh);
-    // A singularity on one of the sides fixes a node of the other one, beside which others may be in
-    // the wrong order.
+    // A singularity on one of the sides fixes a node of the other one, beside which others may be
+    // in the wrong order.
     OrderOnBoundary(mesh, this->Curves);
     MatchPairs(this->Curves, mesh);
     MoveInside(before, mesh);
@@ -227,6 +227,10 @@ private:
   std::vector<std::vector<Isometry>> SymmetriesToTry() const
   {
     std::vector<std::vector<Isometry>> lists = { FindSymmetries(this->Domain).Elements() };
+    if (lists[0].size() == 1)
+    {
+      return lists;
+    }
     // All others are images of two neighbouring ones under rotations.
     constexpr std::size_t MaximumReflections = 2;
     for (std::size_t i = 1; i < lists[0].size() && lists.size() <= MaximumReflections; ++i)
@@ -250,8 +254,8 @@ private:
     if (!given && !found.optimal)
     {
       EdgeCounts thorough = this->QuantiseFor(found.size, SearchEffort::Thorough);
-      const double error = this->CountError(thorough, this->Options.quadCount);
-      if (error <= CountTolerance || error <= this->CountError(found, this->Options.quadCount))
+      const double error = this->CountError(thorough);
+      if (error <= CountTolerance || error <= this->CountError(found))
       {
         thorough.size = found.size;
         found = std::move(thorough);
@@ -260,19 +264,24 @@ private:
     return found;
   }
 
-  /// Finds the arcs that get equal counts by symmetries; none if prescribed sums do not permit that.
+  /// Finds the arcs that get equal counts by symmetries; none if prescribed sums do not permit
+  /// that.
   ArcOrbits FindOrbits(const std::vector<Isometry>& symmetries) const
   {
-    // Nodes are nearer to their images than this part of an edge, or the mesh has not the symmetry.
+    // Nodes are nearer to their images than this part of an edge, or the mesh does not have the
+    // symmetry.
     constexpr double Near = 0.25;
-    const QuantisationProblem problem = this->ProblemFor(FirstSize(this->Options, this->Area));
+    const double size = FirstSize(this->Options, this->Area);
+    const QuantisationProblem problem = this->ProblemFor(size);
     const TMesh& tMesh = this->Result.tMesh;
-    ArcOrbits orbits(tMesh, symmetries, problem, Near * FirstSize(this->Options, this->Area));
+    ArcOrbits orbits(tMesh, symmetries, problem, Near * size);
+    if (orbits.CountSymmetries() == 1 || problem.sums.empty())
+    {
+      return orbits;
+    }
     QuantisationProblem equated = problem;
     orbits.Equate(equated);
-    return problem.sums.empty() || FindFeasibleCounts(tMesh, equated)
-      ? orbits
-      : ArcOrbits(tMesh, {}, problem, 0.0);
+    return FindFeasibleCounts(tMesh, equated) ? orbits : ArcOrbits(tMesh, {}, problem, 0.0);
   }
 
   /// Returns the counts for the given size, or for the one that SearchSize finds.
@@ -290,11 +299,11 @@ private:
       FirstSize(this->Options, this->Area), countsOf, progress);
   }
 
-  /// Returns the relative difference of the number of quads from another one.
-  double CountError(const EdgeCounts& counts, double wanted) const
+  /// Returns the relative error of a requested number of quads, 0 if a size was requested.
+  double CountError(const EdgeCounts& counts) const
   {
     const auto count = static_cast<double>(CountQuads(this->Result.tMesh, counts.counts));
-    return std::abs(count / wanted - 1.0);
+    return this->Options.quadSize > 0.0 ? 0.0 : std::abs(count / this->Options.quadCount - 1.0);
   }
 
   static void SetCounts(EdgeCounts counts, QuadResult& result)
@@ -344,8 +353,8 @@ private:
     return results;
   }
 
-  /// Returns the result, with counts and blocks, of a coarse solution; nothing if prescribed numbers do
-  /// not fit its blocks.
+  /// Returns the result, with counts and blocks, of a coarse solution; nothing if prescribed
+  /// numbers do not fit its blocks.
   std::optional<QuadResult> Refined(double size, const EdgeCounts& coarse) const
   {
     const Chords chords(this->Result.tMesh, coarse.counts);

@@ -30,8 +30,8 @@ void LineWalk::Leave(LineSegment& segment, int side) const
   const double to = this->Across(segment, next);
   const double across =
     from == to ? 0.5 : std::clamp((segment.level - from) / (to - from), 0.0, 1.0);
-  // Rounded so that the fraction from the other end of the side is exact, as lines that leave at the
-  // same point of a side must have the same order in both of its triangles.
+  // Rounded so that the fraction from the other end of the side is exact, as lines that leave at
+  // the same point of a side must have the same order in both of its triangles.
   const double fraction = 1.0 - (1.0 - across);
   segment.exit = { side, fraction };
   const double start = this->Along(segment, side);

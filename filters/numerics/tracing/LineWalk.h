@@ -63,8 +63,9 @@ public:
   int Beyond(const LineSegment& segment) const;
   /// Returns the segment in the triangle beyond.
   LineSegment Continue(const LineSegment& segment) const;
-  /// Returns a segment along a side of its triangle, up to `tolerance`, in the chart of the triangle
-  /// beyond that side, without its entry and exit; none if it is along no side, or one of the boundary.
+  /// Returns a segment along a side of its triangle, up to `tolerance`, in the chart of the
+  /// triangle beyond that side, without its entry and exit; none if it is along no side, or one of
+  /// the boundary.
   std::optional<LineSegment> Beside(const LineSegment& segment, double tolerance) const;
 
   /// Returns the point of the domain at a length within a segment.

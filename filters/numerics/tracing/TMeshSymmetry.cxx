@@ -87,7 +87,8 @@ private:
     return previous < 0 ? None : TMesh::Twin(previous);
   }
 
-  /// Returns the images of all half-edges if the first one is mapped to a given one; none if that is impossible.
+  /// Returns the images of all half-edges if the first one is mapped to a given one; none if that
+  /// is impossible.
   std::vector<int> Spread(int image) const
   {
     std::vector<int> images(this->Mesh.halfEdges.size(), None);

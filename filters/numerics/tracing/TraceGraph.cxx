@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Index.h"
+#include "SeparatrixTies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,8 @@ namespace
 /// SameIsoline.
 constexpr double LargestDelay = 1e-6;
 constexpr double GoldenRatio = 0.6180339887498949;
-/// Separatrices whose lengths at a point differ by less than this, relative to the extent, arrive at the same time:
-/// far above the rounding errors of symmetric maps, and far below the delays.
+/// Separatrices whose lengths at a point differ by less than this, relative to the extent, arrive
+/// at the same time: far above the rounding errors of symmetric maps, and far below the delays.
 constexpr double SameTime = 1e-9;
 /// Bound on the length of a separatrix, in extents; real ones have a few (docs/method.md §13.1).
 constexpr double LongestLine = 1000.0;
@@ -224,9 +225,9 @@ private:
     this->Push({ this->Time(number, mine.exitLength), 0, Event::Advance, number });
   }
 
-  /// A position on the outline of a triangle: side, fraction, and a rank of the line that orders lines
-  /// at one point consistently from both sides of an edge. The end of a side is before the start of
-  /// the next one, although both are at one vertex.
+  /// A position on the outline of a triangle: side, fraction, and a rank of the line that orders
+  /// lines at one point consistently from both sides of an edge. The end of a side is before the
+  /// start of the next one, although both are at one vertex.
   using Position = std::tuple<int, double, int>;
 
   Position OnOutline(int triangle, const OutlinePoint& point, int line) const
@@ -328,8 +329,8 @@ private:
       });
   }
 
-  /// Adds the event that a line meets another one head-on, if it does: `mine` is its segment, in the
-  /// chart of the other one's triangle.
+  /// Adds the event that a line meets another one head-on, if it does: `mine` is its segment, in
+  /// the chart of the other one's triangle.
   void FindMeeting(int number, const LineSegment& mine, const Entry& entry)
   {
     const TracedSeparatrix& other = this->Graph.separatrices[entry.line];
@@ -440,67 +441,13 @@ private:
   Progress Reports;
   TraceGraph Graph;
 };
-
-/// A position on a separatrix; for two that meet head-on, on the first of them.
-struct PathPosition
-{
-  int line = 0;
-  double at = 0.0;
-};
-
-PathPosition PositionOnPath(const TraceGraph& graph, int line, double at)
-{
-  const TracedSeparatrix& separatrix = graph.separatrices[line];
-  return separatrix.end == SeparatrixEnd::HeadOn && separatrix.other < line
-    ? PathPosition{ separatrix.other, separatrix.headOnLength - at }
-    : PathPosition{ line, at };
-}
-
-/// Returns the stops of separatrices at others that arrived at the same time, but not where a third one arrived at that
-/// time from the opposite side, or where the other one meets one head-on.
-std::vector<SeparatrixTie> FindTies(const TraceGraph& graph, double reach)
-{
-  struct Stop
-  {
-    int line = 0;
-    PathPosition place; ///< On the path at which it stops.
-  };
-  std::vector<Stop> stops;
-  for (std::size_t i = 0; i < graph.separatrices.size(); ++i)
-  {
-    const TracedSeparatrix& line = graph.separatrices[i];
-    if (line.end == SeparatrixEnd::Line && std::abs(line.length - line.otherLength) <= reach)
-    {
-      stops.push_back({ static_cast<int>(i), PositionOnPath(graph, line.other, line.otherLength) });
-    }
-  }
-  std::vector<SeparatrixTie> ties;
-  for (const Stop& stop : stops)
-  {
-    const TracedSeparatrix& line = graph.separatrices[stop.line];
-    const TracedSeparatrix& other = graph.separatrices[line.other];
-    const bool isAtMeeting = other.end == SeparatrixEnd::HeadOn &&
-      std::abs(line.otherLength - 0.5 * other.headOnLength) <= reach;
-    const auto there = std::count_if(stops.begin(), stops.end(),
-      [&](const Stop& another)
-      {
-        return another.place.line == stop.place.line &&
-          std::abs(another.place.at - stop.place.at) <= reach;
-      });
-    if (there == 1 && !isAtMeeting)
-    {
-      ties.push_back({ { stop.line, line.other }, { line.length, line.otherLength }, {} });
-    }
-  }
-  return ties;
-}
 }
 
 TraceGraph TraceSeparatrices(const SeamlessMap& map, const Progress& progress)
 {
   progress.Report(0.0);
-  // Separatrices that continue may tie with others, so ties are searched until there are no new ones. Most maps have
-  // none, and few need more than two rounds.
+  // Separatrices that continue may tie with others, so ties are searched until there are no new
+  // ones. Most maps have none, and few need more than two rounds.
   std::vector<SeparatrixTie> ties;
   for (;;)
   {

@@ -52,8 +52,8 @@ const LayerPrescription* FindLayer(const ResolvedRequest& request, const std::st
   return found == request.layers.end() ? nullptr : &*found;
 }
 
-/// Corrects the number of quads before layers are added, with which there were `after` quads instead
-/// of `total`.
+/// Corrects the number of quads before layers are added, with which there were `after` quads
+/// instead of `total`.
 int CorrectCount(int before, int after, int total)
 {
   // The layers add c √n to n quads.
@@ -124,8 +124,8 @@ private:
 
 namespace
 {
-/// Returns the ends of periodic sides and their images, if singularities are chosen: given ones suit the
-/// corners as they are.
+/// Returns the ends of periodic sides and their images, if singularities are chosen: given ones
+/// suit the corners as they are.
 std::vector<std::array<Point, 2>> EndsOfPeriodicSides(
   const PlanarDomain& domain, const ResolvedRequest& request)
 {

@@ -33,8 +33,8 @@ struct SizeTrials
 /// Throws Error if an interior singularity has a quarter index above 2, for which there is no node.
 void RequireNodes(const PlanarDomain& domain, const Configuration& singularities);
 
-/// Returns a sentence for every interior singularity of quarter index 2: its node has two quads, with
-/// an angle of 180° each.
+/// Returns a sentence for every interior singularity of quarter index 2: its node has two quads,
+/// with an angle of 180° each.
 std::vector<std::string> DescribeFlatNodes(
   const PlanarDomain& domain, const Configuration& singularities);
 
@@ -43,15 +43,15 @@ std::vector<std::string> DescribeFlatNodes(
 std::vector<std::string> DescribeCrowdedNodes(
   const PlanarDomain& domain, const Configuration& singularities);
 
-/// Tries a half and a quarter of the size of quads, rounded to four digits, until no quads are inverted.
-/// Sizes of more than 50,000 quads, and T-meshes of more than 2,000 arcs, are not tried. `mesh` makes the
-/// quads of a size.
+/// Tries a half and a quarter of the size of quads, rounded to four digits, until no quads are
+/// inverted. Sizes of more than 50,000 quads, and T-meshes of more than 2,000 arcs, are not tried.
+/// `mesh` makes the quads of a size.
 SizeTrials TrySmallerSizes(
   const QuadResult& quads, const std::function<QuadResult(double size)>& mesh);
 
 /// Returns a length for which the domain with a smoothed boundary (SmoothBoundary.h) has quads,
-/// rounded to four digits; 0 if none of 1/400 to 1/50 of the diagonal has. The boundary stays in place
-/// at the points `kept`. `mesh` makes the quads of a domain, or throws Error.
+/// rounded to four digits; 0 if none of 1/400 to 1/50 of the diagonal has. The boundary stays in
+/// place at the points `kept`. `mesh` makes the quads of a domain, or throws Error.
 double FindSmoothing(const PlanarDomain& domain, const std::vector<Point>& kept,
   const std::function<void(const PlanarDomain& domain)>& mesh);
 
@@ -70,19 +70,19 @@ std::string DescribeCount(const QuadRequest& request, bool isPrescribed, const Q
 /// Returns a warning about sides that have no edges, otherwise an empty text.
 std::string DescribeLostSides(const QuadMesh& mesh);
 
-/// Returns a sentence about very different sizes of quads, which have a standard deviation of more than
-/// their mean, or 1 in their logarithms, and the option that may make them more equal; an empty text for
-/// others, or if the request prescribes sizes.
+/// Returns a sentence about very different sizes of quads, which have a standard deviation of more
+/// than their mean, or 1 in their logarithms, and the option that may make them more equal; an
+/// empty text for others, or if the request prescribes sizes.
 std::string DescribeSizes(const ResolvedRequest& request, const QuadResult& quads);
 
-/// Returns a sentence about the area that is lost, or covered beyond the boundary, where edges cut off
-/// curves; an empty text if this is less than AcceptableAreaError.
+/// Returns a sentence about the area that is lost, or covered beyond the boundary, where edges cut
+/// off curves; an empty text if this is less than AcceptableAreaError.
 std::string DescribeArea(const QuadResult& quads);
 
 /// Returns the clause that offers a repair of the holonomy that was found to work.
 std::string RepairAdvice(const HolonomyRepair& repair);
 
-/// Returns an error that a finer mesh did not cure, with a remedy: smoothing with a length that was found
-/// to work or, if it is 0, other singularities.
+/// Returns an error that a finer mesh did not cure, with a remedy: smoothing with a length that was
+/// found to work or, if it is 0, other singularities.
 Error WithSmoothing(const Error& error, double length, bool singularitiesAreGiven);
 }

@@ -18,16 +18,16 @@ namespace crossfield
 {
 namespace
 {
-/// Factor of the distance from layers for the next attempt: rows are higher than the quads on average in some
-/// places, for example at corners that they turn around.
+/// Factor of the distance from layers for the next attempt: rows are higher than the quads on
+/// average in some places, for example at corners that they turn around.
 constexpr double DistanceFactor = 1.3;
 /// Chosen singularities move away from layers three times.
 constexpr double LayerDistanceLimit = DistanceFactor * DistanceFactor * DistanceFactor;
 /// Refinement of the second triangle mesh.
 constexpr double FinerMesh = 2.0;
 
-/// Returns whether a domain has a smooth inner loop, such as a circle or an ellipse, that is too small for
-/// EnoughEdges of the target size. Singularities would make it a polygon of few edges.
+/// Returns whether a domain has a smooth inner loop, such as a circle or an ellipse, that is too
+/// small for EnoughEdges of the target size. Singularities would make it a polygon of few edges.
 bool HasSmallSmoothLoop(const PlanarDomain& domain, const QuadRequest& request)
 {
   const double size =
@@ -41,8 +41,9 @@ bool HasSmallSmoothLoop(const PlanarDomain& domain, const QuadRequest& request)
       });
 }
 
-/// Returns whether a domain with inner loops needs no singularities, and layers or sizes of sides are
-/// requested, or a smooth inner loop is small: around a profile that gives a C-grid or an O-grid.
+/// Returns whether a domain with inner loops needs no singularities, and layers or sizes of sides
+/// are requested, or a smooth inner loop is small: around a profile that gives a C-grid or an
+/// O-grid.
 bool MayDoWithout(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   const bool isSized = std::any_of(request.prescribed.begin(), request.prescribed.end(),
@@ -72,14 +73,15 @@ ResolvedRequest RequestOf(const ResolvedRequest& request, const QuadAttempt& att
   return result;
 }
 
-/// Returns whether two attempts have the same singularities, before the holonomy is repaired without
-/// request.
+/// Returns whether two attempts have the same singularities, before the holonomy is repaired
+/// without request.
 bool HaveSameSingularities(const QuadAttempt& a, const QuadAttempt& b)
 {
   return a.hasSingularities == b.hasSingularities && a.layerDistance == b.layerDistance;
 }
 
-/// Returns whether inverted quads may be valid after singularities have moved: a node of valence 2 has none anywhere.
+/// Returns whether inverted quads may be valid after singularities have moved: a node of valence 2
+/// has none anywhere.
 bool MayBecomeValid(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   return !request.hold &&
@@ -238,8 +240,9 @@ private:
     return grade(one) < grade(other);
   }
 
-  /// Returns the error of the last attempt, with the remedy that follows from the others. Attempts that
-  /// move singularities without request do not count, unless these were chosen and leave too few rows.
+  /// Returns the error of the last attempt, with the remedy that follows from the others. Attempts
+  /// that move singularities without request do not count, unless these were chosen and leave too
+  /// few rows.
   Error FinalError() const
   {
     const Error& error = *std::find_if(this->Records.rbegin(), this->Records.rend(),

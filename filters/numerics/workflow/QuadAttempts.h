@@ -20,7 +20,8 @@ enum class SingularityMotion
 /// A way to make the quads of a request.
 struct QuadAttempt
 {
-  /// Whether singularities are given or chosen; otherwise there are none, where a domain needs none.
+  /// Whether singularities are given or chosen; otherwise there are none, where a domain needs
+  /// none.
   bool hasSingularities = true;
   bool mergesBlocks = true; ///< Whether blocks are merged if that is requested.
   /// Factor of the distance that chosen singularities keep from layers.
@@ -42,17 +43,18 @@ struct QuadAttemptRecord
   std::string quads; ///< A sentence about the quads, for the report.
 };
 
-/// Returns what to try first, or after the attempts that were made; nothing if there is nothing more to
-/// try (docs/method.md §14.13).
+/// Returns what to try first, or after the attempts that were made; nothing if there is nothing
+/// more to try (docs/method.md §14.13).
 std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const ResolvedRequest& request,
   const std::vector<QuadAttemptRecord>& made);
 
-/// Makes the quads of a request of WithSideSizes: makes attempts until there is nothing more to try, and
-/// returns the best of them (MeshGrade.h). Throws Error if none has quads.
+/// Makes the quads of a request of WithSideSizes: makes attempts until there is nothing more to
+/// try, and returns the best of them (MeshGrade.h). Throws Error if none has quads.
 QuadWorkflowResult MakeAttempts(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress);
 
-/// Makes the quads of a request of WithSideSizes by the first attempt alone. Throws Error if it has none.
+/// Makes the quads of a request of WithSideSizes by the first attempt alone. Throws Error if it has
+/// none.
 QuadWorkflowResult MakeFirstAttempt(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress);
 }

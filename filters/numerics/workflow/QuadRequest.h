@@ -114,8 +114,8 @@ struct QuadWorkflowResult
   std::optional<std::vector<SingularityMove>> moves;
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
   int ambiguousCorners = 0; ///< Corners that are not prescribed and within AmbiguousAngle of a tie.
-  /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh was
-  /// refined; one sentence each.
+  /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh
+  /// was refined; one sentence each.
   std::vector<std::string> events;
   std::vector<AttemptReport> attempts;
   /// Run that chose them; absent if they were given, or the domain has several parts.

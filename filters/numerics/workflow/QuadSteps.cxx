@@ -38,8 +38,8 @@ private:
   Stopwatch Clock;
 };
 
-/// Returns call(). If it throws Error, adds its seconds to a number; otherwise its value has the times of
-/// its stages.
+/// Returns call(). If it throws Error, adds its seconds to a number; otherwise its value has the
+/// times of its stages.
 template <typename Call>
 auto WithSecondsOfFailure(double& seconds, const Call& call)
 {
@@ -339,8 +339,9 @@ void QuadSteps::AddWarnings()
   {
     if (!layer.lack.empty())
     {
-      result.warnings.push_back(Sentence(layer.lack + "; the quads behind the layer are up to " +
-          FormatNumber(layer.largestRatio, 2) + " times as high as its last row",
+      result.warnings.push_back(Sentence(layer.lack + "; heights of neighbours differ by up to " +
+          FormatNumber(layer.largestRatio, 2) + " : 1, and the first row has the given height on " +
+          FormatNumber(100.0 * layer.partInBounds, 2) + " % of the side",
         "use smaller quads, or a larger growth"));
     }
   }

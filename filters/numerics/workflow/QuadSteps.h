@@ -4,27 +4,27 @@
 
 namespace crossfield
 {
-/// The steps from a request of WithSideSizes to its quads, without trying remedies: singularities, their
-/// layout, quads. A copy that is made after Place continues from there.
+/// The steps from a request of WithSideSizes to its quads, without trying remedies: singularities,
+/// their layout, quads. A copy that is made after Place continues from there.
 class QuadSteps
 {
 public:
-  /// `seconds` receives the times of all steps, also of copies and of steps that throw. Throws Error as
-  /// RequireLayers does.
+  /// `seconds` receives the times of all steps, also of copies and of steps that throw. Throws
+  /// Error as RequireLayers does.
   QuadSteps(const PlanarDomain& domain, ResolvedRequest request, QuadSeconds& seconds);
 
-  /// Chooses singularities unless they are given, splits indices and repairs the holonomy on request.
-  /// Throws Error as ChooseSingularities, RequireNodes and RepairForMap do.
+  /// Chooses singularities unless they are given, splits indices and repairs the holonomy on
+  /// request. Throws Error as ChooseSingularities, RequireNodes and RepairForMap do.
   void Place(const Progress& progress);
-  /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or there
-  /// is nothing to repair.
+  /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or
+  /// there is nothing to repair.
   void RepairHolonomy(const Progress& progress);
   /// Moves given singularities towards a minimum of the renormalised energy. Throws Error as
   /// MinimiseEnergy does.
   void MoveToMinimumEnergy(const Progress& progress);
   /// Meshes with edges divided by `refinement` (MeshThroughPoints), solves for the map, traces the
-  /// separatrices, makes quads, merges blocks and adds layers. Throws Error as MeshThroughPoints, LayOut,
-  /// MakeQuads and AddLayers do.
+  /// separatrices, makes quads, merges blocks and adds layers. Throws Error as MeshThroughPoints,
+  /// LayOut, MakeQuads and AddLayers do.
   QuadWorkflowResult MakeQuads(double refinement, const Progress& progress);
 
   /// Makes quads without merging blocks, whatever the request says.

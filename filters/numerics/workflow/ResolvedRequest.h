@@ -8,8 +8,8 @@
 
 namespace crossfield
 {
-/// A request whose sides have names, with what is prescribed for them in the form in which the steps use
-/// it. Steps before the attempts add motions, curves and sizes.
+/// A request whose sides have names, with what is prescribed for them in the form in which the
+/// steps use it. Steps before the attempts add motions, curves and sizes.
 struct ResolvedRequest : QuadRequest
 {
   SidePrescriptions prescribed;          ///< Counts, progressions and sizes, one entry a side.
@@ -21,11 +21,13 @@ struct ResolvedRequest : QuadRequest
   bool takesFewRows = false;         ///< As in AddLayers; set for the last attempt.
 };
 
-/// Returns a request with the names of its sides, those of NameSides if it has none. Throws Error if a side
-/// with a count, a progression or a size does not exist, or one of them is prescribed twice.
+/// Returns a request with the names of its sides, those of NameSides if it has none. Throws Error
+/// if a side with a count, a progression or a size does not exist, or one of them is prescribed
+/// twice.
 ResolvedRequest Resolve(const PlanarDomain& domain, const QuadRequest& request);
 
-/// Returns whether sizes may become uniform (SizingChoice.h): no sizing is requested, and neither layers nor progressions of sides prescribe sizes. Layers need the shapes of
-/// conformal sizes: each row is as far from a rectangle as the quads that it divides.
+/// Returns whether sizes may become uniform (SizingChoice.h): no sizing is requested, and neither
+/// layers nor progressions of sides prescribe sizes. Layers need the shapes of conformal sizes:
+/// each row is as far from a rectangle as the quads that it divides.
 bool IsSizingFree(const ResolvedRequest& request);
 }

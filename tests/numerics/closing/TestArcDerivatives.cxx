@@ -193,8 +193,8 @@ TEST(ArcDerivatives, AgreeWithDifferences)
 
 TEST(ArcDerivatives, AgreeWithDifferencesAroundAnInnerLoop)
 {
-  // Symmetric about y = 0, so that the inner loop has no defect, but for a millionth: separatrices of a
-  // symmetric mesh meet where those of a disturbed one pass each other.
+  // Symmetric about y = 0, so that the inner loop has no defect, but for a millionth: separatrices
+  // of a symmetric mesh meet where those of a disturbed one pass each other.
   const PlanarDomain plate = { { { { -1.5, -1.0 }, { 1.5, -1.0 }, { 1.5, 1.0 }, { -1.5, 1.0 } },
     { { -0.2, -0.25 }, { -0.2, 0.25 }, { 0.3, 0.15 }, { 0.3, -0.15 } } } };
   const Configuration four = { { { -0.8, 0.45 }, 1 }, { { -0.8, -0.45 }, 1 }, { { 0.8, 0.4 }, -1 },

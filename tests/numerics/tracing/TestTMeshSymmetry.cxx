@@ -1,5 +1,5 @@
-// T-meshes of symmetric configurations have their symmetries: separatrices that arrive at the same time
-// pass through each other, and those along edges of the mesh meet head-on.
+// T-meshes of symmetric configurations have their symmetries: separatrices that arrive at the same
+// time pass through each other, and those along edges of the mesh meet head-on.
 
 #include "TMeshSymmetry.h"
 

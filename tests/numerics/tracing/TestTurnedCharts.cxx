@@ -91,7 +91,8 @@ void ExpectSame(
   EXPECT_EQ(SeamDefect(turned.map), 0.0);
   EXPECT_NEAR(turned.map.residual, plain.map.residual, 1e-10);
   EXPECT_EQ(turned.map.seams, plain.map.seams);
-  // Lengths instead of coordinates, as the first chart of the map is arbitrary up to a quarter turn.
+  // Lengths instead of coordinates, as the first chart of the map is arbitrary up to a quarter
+  // turn.
   for (std::size_t t = 0; t < plain.map.corners.size(); ++t)
   {
     for (int side = 0; side < 3; ++side)

@@ -1,4 +1,5 @@
-// The order of attempts: each is made once, and what follows depends on the errors and quads so far.
+// The order of attempts: each is made once, and what follows depends on the errors and quads so
+// far.
 
 #include "QuadAttempts.h"
 
