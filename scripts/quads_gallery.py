@@ -83,7 +83,7 @@ What remains refused:
 Singularities closer to each other than the side of a quad may give inverted quads. The warning names a smaller size with which there
 are none, if one was found; where the choice of singularities takes long, it was tried with the same ones.
 
-A corner below 15° between short segments, such as the cusp of a profile, is cut off if there are no valid quads in it. The warning says
+A corner below 45°, such as the trailing edge of a profile, is cut off if there are no valid quads in it. The warning says
 where and how wide.
 
 A singularity of quarter index 2 is a node of valence 2, whose quads have an angle of 180°; one of −2 is a node of valence 6. `--split`

@@ -248,17 +248,42 @@ double CurveEvaluator::Nearest(const Point& place) const
   }
   double best = this->Start;
   double smallest = std::numeric_limits<double>::infinity();
-  for (const std::size_t sample : this->SamplesNear(place))
+  const auto tryFrom = [&](double guess)
   {
-    const double found = this->NearestFrom(place, this->Parameters[sample]);
+    const double found = this->NearestFrom(place, guess);
     const double distance = (this->At(found) - place).squaredNorm();
     if (distance < smallest)
     {
       smallest = distance;
       best = found;
     }
+  };
+  for (const std::size_t sample : this->SamplesNear(place))
+  {
+    tryFrom(this->Parameters[sample]);
+    if (this->MayBeCorner(sample))
+    {
+      // The derivative there is that of the curve after it.
+      tryFrom(sample > 0 ? 0.5 * (this->Parameters[sample - 1] + this->Parameters[sample])
+                         : 0.5 * (this->Parameters.back() + this->End));
+    }
   }
   return best;
+}
+
+bool CurveEvaluator::MayBeCorner(std::size_t sample) const
+{
+  if (this->Data.kind != PlaneCurve::Kind::Nurbs)
+  {
+    return false;
+  }
+  if (sample == 0)
+  {
+    return this->Closed;
+  }
+  const auto [first, last] =
+    std::equal_range(this->Data.knots.begin(), this->Data.knots.end(), this->Parameters[sample]);
+  return last - first >= this->Data.degree;
 }
 
 double CurveEvaluator::Unwrap(double parameter, double near) const

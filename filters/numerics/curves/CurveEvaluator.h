@@ -55,6 +55,8 @@ private:
   void FormBlocks();
   /// Returns the samples from which the nearest point is searched for, at most three.
   std::vector<std::size_t> SamplesNear(const Point& place) const;
+  /// Returns whether the tangent may jump at a sample.
+  bool MayBeCorner(std::size_t sample) const;
 
   PlaneCurve Data;
   double Start = 0.0;

@@ -1,10 +1,11 @@
 #include "SharpTips.h"
 
 #include "BoundaryCorners.h"
+#include "CurvedLoops.h"
 #include "OptimizerReport.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -13,20 +14,18 @@ namespace crossfield
 {
 namespace
 {
-/// Corners below this angle, 15°, are cut off: the triangles in them are so thin that the map may fold over.
-constexpr double SharpTip = Pi / 12.0;
-/// Largest length that is cut off, relative to the diagonal: less than one of a thousand quads.
-constexpr double LargestCut = 0.02;
+/// Corners below this angle, 45°, are cut off. They are the very sharp ones: the quarter index with the
+/// smallest rotation is 2, and a quad in them is far from a square.
+constexpr double SharpTip = Pi / 4.0;
 
 /// Cuts corners of the loops of a domain.
 class TipCutter
 {
 public:
-  TipCutter(const PlanarDomain& domain, const QuadRequest& request, int vertices)
+  TipCutter(const PlanarDomain& domain, const QuadRequest& request, double length)
     : Result{ domain, request, {} }
-    , Vertices(static_cast<std::size_t>(vertices))
+    , Length(length)
     , Reach(BoundaryReach * domain.Diagonal())
-    , Longest(LargestCut * domain.Diagonal())
   {
     if (this->Result.request.sides.names.empty())
     {
@@ -36,13 +35,12 @@ public:
 
   std::optional<CutDomain> Run()
   {
-    std::vector<Corner> corners = FindCorners(this->Result.domain.loops);
-    std::reverse(corners.begin(), corners.end()); // numbers of the vertices before stay valid
+    const std::vector<Corner> corners = FindCorners(this->Result.domain.loops);
     for (const Corner& corner : corners)
     {
       if (corner.angle < SharpTip && !this->IsPrescribed(corner.position))
       {
-        this->Cut(static_cast<std::size_t>(corner.loop), static_cast<std::size_t>(corner.vertex));
+        this->Cut(static_cast<std::size_t>(corner.loop), corner.position);
       }
     }
     return this->Result.warning.empty() ? std::nullopt
@@ -57,73 +55,100 @@ private:
       [&](const CornerChoice& choice) { return (choice.position - place).norm() <= this->Reach; });
   }
 
-  /// Replaces the vertices within `Vertices` of a corner by an edge.
-  void Cut(std::size_t l, std::size_t tip)
+  int CurveOf(std::size_t loop, std::size_t segment) const
   {
-    const Loop& loop = this->Result.domain.loops[l];
-    const std::size_t count = loop.size();
-    if (count < 2 * this->Vertices + 4)
+    const SegmentCurves& curves = this->Result.request.givenCurves.ofSegment;
+    return curves.empty() ? -1 : curves[loop][segment];
+  }
+
+  /// Returns the point at an arc length, on the curve of its segment if this has one.
+  Point PlaceAt(std::size_t l, const LoopArc& arc, double at) const
+  {
+    const auto [segment, fraction] = arc.SideAt(at);
+    const int curve = this->CurveOf(l, segment);
+    if (curve < 0)
+    {
+      return arc.At(at);
+    }
+    const CurveEvaluator evaluator(this->Result.request.givenCurves.curves[curve]);
+    const SegmentParameters ends =
+      ParametersOf(evaluator, arc.At(arc.Start(segment)), arc.At(arc.Start(segment + 1)));
+    return evaluator.At(ends.from + fraction * (ends.to - ends.from));
+  }
+
+  /// Replaces the boundary near a tip by an edge.
+  void Cut(std::size_t l, const Point& tip)
+  {
+    const Loop loop = this->Result.domain.loops[l];
+    const auto vertex = std::find(loop.begin(), loop.end(), tip);
+    const LoopArc arc(loop);
+    // At least half of the loop remains; another cut may have removed the tip.
+    if (vertex == loop.end() || 4.0 * this->Length > arc.Length())
     {
       return;
     }
-    const std::size_t before = (tip + count - this->Vertices) % count;
-    const std::size_t after = (tip + this->Vertices) % count;
-    const double length =
-      std::max((loop[before] - loop[tip]).norm(), (loop[after] - loop[tip]).norm());
-    if (length > this->Longest)
-    {
-      return;
-    }
-    this->Describe(loop[tip], length, (loop[before] - loop[after]).norm());
-    std::set<std::size_t> removed;
-    for (std::size_t i = (before + 1) % count; i != after; i = (i + 1) % count)
-    {
-      removed.insert(i);
-    }
-    for (SideStart& start : this->Result.request.sides.starts)
-    {
-      for (const std::size_t i : removed)
-      {
-        start.place = (start.place - loop[i]).norm() <= this->Reach ? loop[after] : start.place;
-      }
-    }
-    SegmentCurves& curves = this->Result.request.givenCurves.ofSegment;
+    const double at = arc.Start(static_cast<std::size_t>(vertex - loop.begin()));
+    const std::size_t last = arc.SideAt(at - this->Length).first;
+    const std::size_t first = arc.SideAt(at + this->Length).first;
+    const Point before = this->PlaceAt(l, arc, at - this->Length);
+    const Point after = this->PlaceAt(l, arc, at + this->Length);
+    this->Describe(tip, (before - after).norm());
     Loop shorter;
-    std::vector<int> curvesOfShorter;
-    for (std::size_t i = 0; i < count; ++i)
+    std::vector<int> curves;
+    for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      if (removed.count(i) == 0)
+      const double along = std::abs(arc.Start(i) - at);
+      if (std::min(along, arc.Length() - along) > this->Length + this->Reach)
       {
         shorter.push_back(loop[i]);
-        curvesOfShorter.push_back(i == before || curves.empty() ? -1 : curves[l][i]);
+        curves.push_back(this->CurveOf(l, i));
+      }
+      else
+      {
+        this->MoveSides(loop[i], after);
+      }
+      if (i == last)
+      {
+        shorter.push_back(before);
+        curves.push_back(-1);
+        shorter.push_back(after);
+        curves.push_back(this->CurveOf(l, first));
       }
     }
-    if (!curves.empty())
+    if (!this->Result.request.givenCurves.ofSegment.empty())
     {
-      curves[l] = std::move(curvesOfShorter);
+      this->Result.request.givenCurves.ofSegment[l] = std::move(curves);
     }
     this->Result.domain.loops[l] = std::move(shorter);
   }
 
-  void Describe(const Point& tip, double length, double width)
+  /// Moves the starts of sides at a place.
+  void MoveSides(const Point& from, const Point& to)
+  {
+    for (SideStart& start : this->Result.request.sides.starts)
+    {
+      start.place = (start.place - from).norm() <= this->Reach ? to : start.place;
+    }
+  }
+
+  void Describe(const Point& tip, double width)
   {
     std::ostringstream text;
     text << "The sharp corner at " << crossfield::Describe(tip) << " was cut off "
-         << FormatShort(length) << " before its tip, where the domain is " << FormatShort(width)
-         << " wide, because there were no valid quads in it.";
+         << FormatShort(this->Length) << " before its tip, where the domain is "
+         << FormatShort(width) << " wide, because there were no valid quads in it.";
     this->Result.warning += (this->Result.warning.empty() ? "" : " ") + text.str();
   }
 
   CutDomain Result;
-  const std::size_t Vertices;
+  const double Length;
   const double Reach;
-  const double Longest;
 };
 }
 
 std::optional<CutDomain> CutSharpTips(
-  const PlanarDomain& domain, const QuadRequest& request, int vertices)
+  const PlanarDomain& domain, const QuadRequest& request, double length)
 {
-  return TipCutter(domain, request, vertices).Run();
+  return TipCutter(domain, request, length).Run();
 }
 }

@@ -3,6 +3,7 @@
 #include "CurveEvaluator.h"
 
 #include "Error.h"
+#include "SplineThrough.h"
 #include "Support.h"
 
 #include <cmath>
@@ -132,6 +133,38 @@ TEST(CurveEvaluator, FindsTheParameterOfItsOwnPoints)
   {
     const double t = angle(random);
     EXPECT_NEAR(std::remainder(ellipse.Nearest(ellipse.At(t)) - t, 2.0 * Pi), 0.0, 1e-12);
+  }
+}
+
+TEST(CurveEvaluator, FindsPointsOnBothSidesOfASharpCorner)
+{
+  // The trailing edge of a profile, at the start of the curve and inside of it.
+  const std::vector<Point> profile{ { 1.0, 0.0 }, { 0.5, 0.05 }, { 0.0, 0.0 }, { 0.5, 0.0 } };
+  const PlaneCurve fromTip =
+    SplineThrough({ profile[0], profile[1], profile[2], profile[3], profile[0] }, false);
+  const PlaneCurve before = SplineThrough({ profile[2], profile[3], profile[0] }, false);
+  PlaneCurve through = before;
+  const PlaneCurve after = SplineThrough({ profile[0], profile[1], profile[2] }, false);
+  through.points.insert(through.points.end(), after.points.begin() + 1, after.points.end());
+  through.weights.insert(through.weights.end(), after.weights.begin() + 1, after.weights.end());
+  const double length = before.knots.back();
+  through.knots.pop_back();
+  for (std::size_t i = static_cast<std::size_t>(after.degree) + 1; i < after.knots.size(); ++i)
+  {
+    through.knots.push_back(after.knots[i] + length);
+  }
+  for (const PlaneCurve& data : { fromTip, through })
+  {
+    const CurveEvaluator curve(data);
+    const double tip = curve.Nearest(profile[0]);
+    for (const double distance : { 1e-5, 1e-3, 0.03 })
+    {
+      for (const double side : { -distance, distance })
+      {
+        const Point place = curve.At(tip + side);
+        EXPECT_LT((curve.At(curve.Nearest(place)) - place).norm(), 1e-14) << side;
+      }
+    }
   }
 }
 

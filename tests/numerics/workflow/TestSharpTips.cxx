@@ -37,9 +37,9 @@ TEST(SharpTips, AreReplacedByAnEdge)
   const auto tip = std::find_if(
     starts.begin(), starts.end(), [](const SideStart& start) { return start.place.x() > 0.999; });
   ASSERT_NE(tip, starts.end());
-  const std::optional<CutDomain> cut = CutSharpTips(domain, request, 2);
+  const std::optional<CutDomain> cut = CutSharpTips(domain, request, 0.01);
   ASSERT_TRUE(cut.has_value());
-  EXPECT_EQ(cut->domain.loops[0].size(), domain.loops[0].size() - 3);
+  EXPECT_NEAR(cut->domain.Area(), domain.Area(), 0.01 * 0.01);
   EXPECT_NE(cut->warning.find("(1, 0) was cut off"), std::string::npos) << cut->warning;
   const Loop& loop = cut->domain.loops[0];
   const SideStart& moved =
@@ -49,14 +49,17 @@ TEST(SharpTips, AreReplacedByAnEdge)
     FindCorners(cut->domain.loops).size(), FindCorners(domain.loops).size() + 1); // two for one
 
   request.corners = { { { 1.0, 0.0 }, 2 } }; // a prescribed corner stays
-  EXPECT_FALSE(CutSharpTips(domain, request, 1).has_value());
+  EXPECT_FALSE(CutSharpTips(domain, request, 0.01).has_value());
 }
 
-TEST(SharpTips, StayIfTheirSegmentsAreLong)
+TEST(SharpTips, BetweenLongSegmentsAreCutOff)
 {
-  const PlanarDomain wedge = MakePlanarDomain({ { { 0.0, 0.0 }, { 0.0, -0.05 }, { 0.5, -0.025 },
-    { 1.0, 0.0 }, { 0.5, 0.025 }, { 0.0, 0.05 } } });
-  EXPECT_FALSE(CutSharpTips(wedge, {}, 1).has_value());
+  const PlanarDomain wedge = MakePlanarDomain({ { { 0.0, -0.05 }, { 1.0, 0.0 }, { 0.0, 0.05 } } });
+  const std::optional<CutDomain> cut = CutSharpTips(wedge, {}, 0.1);
+  ASSERT_TRUE(cut.has_value());
+  const double cosine = 1.0 / std::sqrt(1.0 + 0.05 * 0.05);
+  EXPECT_NEAR(cut->domain.Area(), wedge.Area() - 0.05 * 0.1 * 0.1 * cosine * cosine, 1e-15);
+  EXPECT_FALSE(CutSharpTips(wedge, {}, 0.6).has_value()); // longer than a quarter of the boundary
 }
 
 TEST(SharpTips, LeaveValidQuads)
