@@ -13,8 +13,14 @@ namespace crossfield
 {
 namespace
 {
-/// Growth of the first height beyond a side, per distance from its end relative to its extent.
-constexpr double GrowthBeyond = 5.0;
+/// Returns the factor of the first height beyond a side at a distance from its end, relative to the extent
+/// of the side: it grows by five per extent, but not at the end itself, where rows would have a kink.
+double FactorBeyond(double distance)
+{
+  constexpr double Growth = 5.0;
+  constexpr double Transition = 0.5;
+  return 1.0 + Growth * distance * distance / (distance + Transition);
+}
 
 std::vector<Point> PlacesOf(const QuadMesh& mesh, const std::vector<int>& points)
 {
@@ -72,6 +78,10 @@ BandLines::BandLines(const LayeredMesh& layered, const QuadBand& band, const Qua
 
 std::vector<double> BandLines::HeightsAtWall()
 {
+  if (!this->Band.heights.empty())
+  {
+    return this->Band.heights;
+  }
   const std::size_t count = this->Data.size();
   const std::size_t columns = this->Band.layers.size();
   std::vector<double> heights(count, 0.0);
@@ -103,7 +113,7 @@ std::vector<double> BandLines::HeightsAtWall()
   for (const bool forward : { true, false })
   {
     double distance = -1.0; // negative before the first layered line
-    double factor = 0.0;
+    double extent = 0.0;
     double first = 0.0;
     const std::size_t rounds = this->Band.closed ? 2 * count : count;
     for (std::size_t step = 0; step < rounds; ++step)
@@ -112,20 +122,19 @@ std::vector<double> BandLines::HeightsAtWall()
       const std::size_t before = (forward ? line + count - 1 : line + 1) % count;
       if (this->Data[line].isLayered)
       {
-        double extent = 0.0;
+        extent = 0.0;
         for (const Point& other : layered)
         {
           extent = std::max(extent, (other - this->WallAt(line)).norm());
         }
         distance = 0.0;
-        factor = GrowthBeyond / extent;
         first = heights[line];
         continue;
       }
       if (distance >= 0.0)
       {
         distance += (this->WallAt(line) - this->WallAt(before)).norm();
-        beyond[line] = std::min(beyond[line], first * (1.0 + factor * distance));
+        beyond[line] = std::min(beyond[line], first * FactorBeyond(distance / extent));
       }
     }
   }
@@ -208,26 +217,13 @@ CurvePlace BandLines::PlaceOnBoundary(std::size_t line, double length) const
 
 int BandLines::RowsNeeded() const
 {
-  const double growth = this->Growth();
   int rows = 1;
   for (const BandLine& line : this->Data)
   {
-    rows = std::max(rows, RowsToFill(line.length, std::min(line.first, line.length), growth));
+    rows =
+      std::max(rows, RowsToFill(line.length, std::min(line.first, line.length), this->Band.growth));
   }
   return rows;
-}
-
-double BandLines::Growth() const
-{
-  double growth = std::numeric_limits<double>::infinity();
-  for (const int layer : this->Band.layers)
-  {
-    if (layer >= 0)
-    {
-      growth = std::min(growth, this->Layered.prescriptions[layer].growth);
-    }
-  }
-  return growth;
 }
 
 double BandLines::LargestGrowth(const std::vector<std::vector<QuadPoint>>& points) const
@@ -262,7 +258,7 @@ double BandLines::LargestStep(int rows) const
   for (std::size_t column = 0; column < this->Band.layers.size(); ++column)
   {
     const int above = this->Walk.Above(this->Band.rows[this->OldRows - 1][column]);
-    if (this->Band.layers[column] < 0 || above < 0)
+    if ((this->Band.heights.empty() && this->Band.layers[column] < 0) || above < 0)
     {
       continue;
     }

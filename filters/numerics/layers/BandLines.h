@@ -35,8 +35,6 @@ public:
   std::vector<std::vector<QuadPoint>> Divide(int rows) const;
   /// Returns the maximum ratio of consecutive edges of the divided lines, from the wall inwards.
   double LargestGrowth(const std::vector<std::vector<QuadPoint>>& points) const;
-  /// Returns the minimum growth that the layers of the band allow.
-  double Growth() const;
 
 private:
   /// Returns the prescribed heights of the first row at the wall, normal to it, and marks the lines

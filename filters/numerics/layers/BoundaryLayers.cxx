@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace crossfield
 {
@@ -28,7 +29,6 @@ std::string CountRows(int rows)
 /// The rows of a band that are replaced, and those that replace them.
 struct BandPlan
 {
-  std::size_t edge = 0; ///< An edge of mesh.boundary at the band.
   int rowsReplaced = 0;
   int rows = 0;     ///< 0: as many as the growth needs.
   std::string lack; ///< As in LayerReport.
@@ -49,12 +49,7 @@ public:
   void Plan()
   {
     const QuadWalk walk(this->Layered.mesh);
-    int maximumRows = 1;
-    for (const LayerPrescription& prescription : this->Layered.prescriptions)
-    {
-      maximumRows = std::max(maximumRows, 2 * RowsToReplace(prescription.growth));
-    }
-    const std::vector<QuadBand> bands = FindBands(this->Layered, walk, maximumRows);
+    const std::vector<QuadBand> bands = FindBands(this->Layered, walk, this->MaximumRows());
     const std::vector<int> walls = walk.OfBoundary();
     this->Layered.bands.assign(walls.size(), -1);
     for (std::size_t b = 0; b < bands.size(); ++b)
@@ -72,29 +67,35 @@ public:
     }
   }
 
-  /// Divides one band after the other.
+  /// Divides one band after the other, then those behind the lines that their rows follow beyond sides.
   void Divide()
   {
     for (std::size_t b = 0; b < this->Plans.size(); ++b)
     {
-      BandPlan& plan = this->Plans[b];
       const QuadWalk walk(this->Layered.mesh);
-      const auto edge =
-        std::find(this->Layered.bands.begin(), this->Layered.bands.end(), static_cast<int>(b));
-      const QuadBand band = FindBand(this->Layered, walk,
-        static_cast<std::size_t>(edge - this->Layered.bands.begin()), plan.rowsReplaced);
-      const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
-      const bool isPrescribed = plan.rows > 0;
-      plan.rows = isPrescribed ? plan.rows : lines.RowsNeeded();
-      std::vector<std::vector<QuadPoint>> points = lines.Divide(plan.rows);
-      // Chords of a curved line may grow slightly faster than its lengths.
-      constexpr int MoreRows = 5;
-      for (int more = 0;
-           !isPrescribed && more < MoreRows && lines.LargestGrowth(points) > lines.Growth(); ++more)
+      const QuadBand band =
+        FindBand(this->Layered, walk, this->EdgeOf(b), this->Plans[b].rowsReplaced);
+      this->DivideOne(band, walk, this->Plans[b]);
+    }
+    // Each band has two ends.
+    for (std::size_t i = 0; i < 2 * this->Plans.size(); ++i)
+    {
+      const QuadWalk walk(this->Layered.mesh);
+      std::vector<DividedBand> divided;
+      for (std::size_t b = 0; b < this->Plans.size(); ++b)
       {
-        points = lines.Divide(++plan.rows);
+        divided.push_back({ this->EdgeOf(b), this->Plans[b].rows });
       }
-      DivideBand(this->Layered, band, walk, points);
+      const auto find = [&](int maximumRows)
+      { return FindBandBehind(this->Layered, walk, divided, maximumRows, AcceptedStep); };
+      const std::optional<QuadBand> band = find(this->MaximumRows());
+      if (!band)
+      {
+        break;
+      }
+      BandPlan plan;
+      plan.rowsReplaced = this->BestRows(this->StepsOf(*band, walk));
+      this->DivideOne(*find(plan.rowsReplaced), walk, plan);
     }
   }
 
@@ -120,6 +121,62 @@ public:
   }
 
 private:
+  /// Returns an edge of mesh.boundary at a band.
+  std::size_t EdgeOf(std::size_t band) const
+  {
+    const std::vector<int>& bands = this->Layered.bands;
+    return static_cast<std::size_t>(
+      std::find(bands.begin(), bands.end(), static_cast<int>(band)) - bands.begin());
+  }
+
+  int MaximumRows() const
+  {
+    int rows = 1;
+    for (const LayerPrescription& prescription : this->Layered.prescriptions)
+    {
+      rows = std::max(rows, 2 * RowsToReplace(prescription.growth));
+    }
+    return rows;
+  }
+
+  /// Divides a band as planned.
+  void DivideOne(const QuadBand& band, const QuadWalk& walk, BandPlan& plan)
+  {
+    const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
+    const bool isPrescribed = plan.rows > 0;
+    plan.rows = isPrescribed ? plan.rows : lines.RowsNeeded();
+    std::vector<std::vector<QuadPoint>> points = lines.Divide(plan.rows);
+    // Chords of a curved line may grow slightly faster than its lengths.
+    constexpr int MoreRows = 5;
+    for (int more = 0;
+         !isPrescribed && more < MoreRows && lines.LargestGrowth(points) > band.growth; ++more)
+    {
+      points = lines.Divide(++plan.rows);
+    }
+    DivideBand(this->Layered, band, walk, points);
+  }
+
+  /// Returns the largest step of heights behind 1, 2, ... rows of a band that are replaced.
+  std::vector<double> StepsOf(const QuadBand& band, const QuadWalk& walk) const
+  {
+    std::vector<double> steps;
+    for (int rows = 1; rows <= static_cast<int>(band.rows.size()); ++rows)
+    {
+      const BandLines lines(this->Layered, band, walk, this->Curves, rows);
+      steps.push_back(lines.LargestStep(lines.RowsNeeded()));
+    }
+    return steps;
+  }
+
+  /// Returns the smallest number of rows whose step is about the smallest.
+  static int BestRows(const std::vector<double>& steps)
+  {
+    const double best = *std::min_element(steps.begin(), steps.end());
+    const auto similar = std::find_if(
+      steps.begin(), steps.end(), [&](double step) { return step <= SimilarStep * best; });
+    return static_cast<int>(similar - steps.begin()) + 1;
+  }
+
   /// Returns the prescription of the first layered side of a band.
   const LayerPrescription& PrescriptionOf(const QuadBand& band) const
   {
@@ -172,20 +229,11 @@ private:
   BandPlan PlanForGrowth(const QuadBand& band, const QuadWalk& walk) const
   {
     BandPlan plan;
-    double best = 0.0;
-    std::vector<double> steps;
-    for (int rows = 1; rows <= static_cast<int>(band.rows.size()); ++rows)
-    {
-      const BandLines lines(this->Layered, band, walk, this->Curves, rows);
-      steps.push_back(lines.LargestStep(lines.RowsNeeded()));
-      best = rows == 1 ? steps.back() : std::min(best, steps.back());
-    }
-    const auto similar = std::find_if(
-      steps.begin(), steps.end(), [&](double step) { return step <= SimilarStep * best; });
-    plan.rowsReplaced = static_cast<int>(similar - steps.begin()) + 1;
+    const std::vector<double> steps = this->StepsOf(band, walk);
+    plan.rowsReplaced = BestRows(steps);
+    const double best = *std::min_element(steps.begin(), steps.end());
     const auto available = static_cast<int>(band.rows.size());
-    const int needed =
-      RowsToReplace(BandLines(this->Layered, band, walk, this->Curves, 1).Growth());
+    const int needed = RowsToReplace(band.growth);
     if (best > AcceptedStep && available < needed)
     {
       const Error error = this->LackOf(band, walk, needed);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace crossfield
@@ -43,6 +44,25 @@ public:
     return 0.5 * (this->Length(QuadWalk::Next(side)) + this->Length(QuadWalk::Previous(side)));
   }
 
+  /// Adds the ratios of the lengths of quads in the rows of a column to those of all their neighbours.
+  void AddRatios(int column, int rows, std::vector<double>& ratios) const
+  {
+    int side = column;
+    for (int row = 0; row < rows && side >= 0; ++row, side = this->Walk.Above(side))
+    {
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const int own = side / 4 * 4 + corner;
+        const int other = this->Walk.Twin(own);
+        if (other >= 0)
+        {
+          const double ratio = this->Height(own) / this->Height(other);
+          ratios.push_back(std::max(ratio, 1.0 / ratio));
+        }
+      }
+    }
+  }
+
 private:
   Point PlaceOf(int point) const { return this->Layered.mesh.points[point].InPlane(); }
 
@@ -78,6 +98,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
   }
   std::vector<double> lengths(reports.size(), 0.0);
   std::vector<std::vector<double>> ratios(reports.size());
+  std::vector<std::set<int>> columns(reports.size());
   const std::vector<int> walls = walk.OfBoundary();
   for (std::size_t e = 0; e < walls.size(); ++e)
   {
@@ -99,27 +120,30 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
     }
     double last = 0.0;
     int side = walls[e];
-    for (int row = 0; row <= rows[e] && side >= 0; ++row, side = walk.Above(side))
+    for (int row = 0; row < rows[e] && side >= 0; ++row, side = walk.Above(side))
     {
       const double height = measurer.Height(side);
       if (row > 0)
       {
-        const double ratio = std::max(height / last, last / height);
-        report.largestRatio = std::max(report.largestRatio, ratio);
-        ratios[layer].push_back(ratio);
-      }
-      if (row > 0 && row < rows[e])
-      {
         report.largestGrowth = std::max(report.largestGrowth, height / last);
       }
-      report.meanThickness += row < rows[e] ? length * height : 0.0;
+      report.meanThickness += length * height;
       last = height;
+    }
+    if (columns[layer].insert(walls[e]).second)
+    {
+      for (const int column : walk.RowThrough(walls[e]))
+      {
+        columns[layer].insert(column);
+        measurer.AddRatios(column, rows[e], ratios[layer]);
+      }
     }
   }
   for (std::size_t layer = 0; layer < reports.size(); ++layer)
   {
     reports[layer].partInBounds /= lengths[layer];
     reports[layer].meanThickness /= lengths[layer];
+    reports[layer].largestRatio = *std::max_element(ratios[layer].begin(), ratios[layer].end());
     reports[layer].ratio99 = Quantile99(std::move(ratios[layer]));
   }
   return reports;

@@ -59,7 +59,85 @@ public:
     return band;
   }
 
+  std::optional<QuadBand> FindBehind(
+    const std::vector<DividedBand>& divided, int maximumRows, double ratio)
+  {
+    std::vector<QuadBand> bands;
+    for (const DividedBand& one : divided)
+    {
+      bands.push_back(this->FindOne(one.edge, one.rows));
+    }
+    for (const QuadBand& band : bands)
+    {
+      const std::vector<int>& row = band.rows[0];
+      for (std::size_t i = 0; i < row.size(); ++i)
+      {
+        const int behind = this->Walk.Twin(row[i]);
+        if (behind < 0 || this->IsTaken[RowThrough(behind)])
+        {
+          continue;
+        }
+        QuadBand found;
+        found.growth = band.growth;
+        if (this->FollowBehind(behind, std::set<int>(row.begin(), row.end()), ratio, found))
+        {
+          while (static_cast<int>(found.rows.size()) < maximumRows && this->AddRow(found))
+          {
+          }
+          return found;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
 private:
+  /// Returns the length of a quad across a side.
+  double LengthAcross(int side) const
+  {
+    const auto length = [this](int one)
+    {
+      return (
+        this->PointOf(this->Walk.EndOf(one)).place - this->PointOf(this->Walk.StartOf(one)).place)
+        .norm();
+    };
+    return 0.5 * (length(QuadWalk::Next(side)) + length(QuadWalk::Previous(side)));
+  }
+
+  /// Sets the first row of a band behind other sides, and the heights of these. Returns whether all of
+  /// the row is behind them, free, and one of its quads higher by more than a ratio.
+  bool FollowBehind(int wall, const std::set<int>& sides, double ratio, QuadBand& band)
+  {
+    const std::vector<int> row = this->Walk.RowThrough(wall);
+    double largest = 0.0;
+    for (const int side : row)
+    {
+      if (sides.count(this->Walk.Twin(side)) == 0)
+      {
+        return false;
+      }
+      const double height = this->LengthAcross(this->Walk.Twin(side));
+      largest = std::max(largest, this->LengthAcross(side) / height);
+      band.heights.push_back(height);
+    }
+    band.closed = this->Walk.Forward(row.back()) == row.front();
+    if (largest <= ratio || band.closed || !this->Take(row, band))
+    {
+      return false;
+    }
+    // From columns to the lines between them.
+    std::vector<double> lines = { band.heights.front() };
+    for (std::size_t i = 1; i < row.size(); ++i)
+    {
+      lines.push_back(0.5 * (band.heights[i - 1] + band.heights[i]));
+    }
+    lines.push_back(band.heights.back());
+    band.heights = std::move(lines);
+    band.layers.assign(row.size(), -1);
+    band.rows = { row };
+    return true;
+  }
+
   const QuadPoint& PointOf(int point) const { return this->Layered.mesh.points[point]; }
 
   /// Marks the points that the inner lines of a band may have: regular ones, and not corners or
@@ -109,18 +187,17 @@ private:
   QuadBand FirstRow(int wall)
   {
     QuadBand band;
-    int start = wall;
-    for (int side = wall; side >= 0 && !band.closed; side = this->Walk.Backward(side))
+    const std::vector<int> row = this->Walk.RowThrough(wall);
+    band.closed = this->Walk.Forward(row.back()) == row.front();
+    for (const int side : row)
     {
-      band.closed = this->Walk.Backward(side) == wall;
-      start = side;
-    }
-    std::vector<int> row;
-    for (int side = start; side >= 0 && (row.empty() || side != start);
-         side = this->Walk.Forward(side))
-    {
-      row.push_back(side);
-      band.layers.push_back(this->LayerOfSide[side]);
+      const int layer = this->LayerOfSide[side];
+      band.layers.push_back(layer);
+      if (layer >= 0)
+      {
+        const double growth = this->Layered.prescriptions[layer].growth;
+        band.growth = band.growth > 0.0 ? std::min(band.growth, growth) : growth;
+      }
     }
     band.rows.push_back(row);
     if (!this->Take(row, band))
@@ -224,6 +301,12 @@ std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadWalk& walk
 QuadBand FindBand(const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows)
 {
   return Finder(layered, walk).FindOne(edge, rows);
+}
+
+std::optional<QuadBand> FindBandBehind(const LayeredMesh& layered, const QuadWalk& walk,
+  const std::vector<DividedBand>& divided, int maximumRows, double ratio)
+{
+  return Finder(layered, walk).FindBehind(divided, maximumRows, ratio);
 }
 
 std::vector<int> PointsAcross(

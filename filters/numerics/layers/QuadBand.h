@@ -3,6 +3,7 @@
 #include "LayeredMesh.h"
 #include "QuadWalk.h"
 
+#include <optional>
 #include <set>
 
 namespace crossfield
@@ -25,7 +26,10 @@ struct QuadBand
   /// the left.
   std::vector<std::vector<int>> rows;
   std::vector<int> layers; ///< Per column of quads, the prescription at the wall, −1 beyond it.
-  std::set<int> quads;     ///< All quads of the band.
+  double growth = 0.0;     ///< Minimum growth that its layers allow.
+  /// Per grid line across the band, the height of its first row; empty: as its layers prescribe.
+  std::vector<double> heights;
+  std::set<int> quads; ///< All quads of the band.
   BandEnd end = BandEnd::Limit;
   Point place = Point::Zero(); ///< Where the next row fails.
 
@@ -41,6 +45,19 @@ std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadWalk& walk
 /// Returns the band of one layered edge, with a number of rows that FindBands found. Throws Error if
 /// bands that were divided since have taken them.
 QuadBand FindBand(const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows);
+
+/// A band that was divided: an edge of mesh.boundary at its wall, and its number of rows.
+struct DividedBand
+{
+  std::size_t edge = 0;
+  int rows = 0;
+};
+
+/// Returns a band behind the line that the rows of divided bands follow beyond their sides, as behind the
+/// corner of a step: on the other side of this line, where quads are higher than its first row by more than
+/// a ratio. Its first row is as high as the one on this side. Returns nothing if there is no such line.
+std::optional<QuadBand> FindBandBehind(const LayeredMesh& layered, const QuadWalk& walk,
+  const std::vector<DividedBand>& divided, int maximumRows, double ratio);
 
 /// Returns the points of a grid line across the first rows of a band, from the wall inwards.
 std::vector<int> PointsAcross(

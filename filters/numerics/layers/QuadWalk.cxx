@@ -32,6 +32,22 @@ int QuadWalk::Backward(int side) const
   return twin < 0 ? -1 : Previous(twin);
 }
 
+std::vector<int> QuadWalk::RowThrough(int side) const
+{
+  int start = side;
+  for (int before = this->Backward(side); before >= 0 && before != side;
+       before = this->Backward(before))
+  {
+    start = before;
+  }
+  std::vector<int> row = { start };
+  for (int next = this->Forward(start); next >= 0 && next != start; next = this->Forward(next))
+  {
+    row.push_back(next);
+  }
+  return row;
+}
+
 std::vector<int> QuadWalk::OfBoundary() const
 {
   std::map<std::array<int, 2>, int> open;

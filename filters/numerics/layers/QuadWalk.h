@@ -24,6 +24,8 @@ public:
   int Forward(int side) const;
   /// Returns the previous side along a row, −1 at the boundary.
   int Backward(int side) const;
+  /// Returns the sides along the row through a side, from the boundary to the boundary or once around.
+  std::vector<int> RowThrough(int side) const;
   /// Returns the side of the quad behind, which is opposite, −1 at the boundary.
   int Above(int side) const { return this->Twin(Opposite(side)); }
 

@@ -2,6 +2,7 @@
 
 #include "ArcPoints.h"
 #include "ArcPosition.h"
+#include "ArcSpacing.h"
 #include "BoundaryOrder.h"
 #include "ChartWalk.h"
 #include "Index.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace crossfield
 {
@@ -50,10 +52,11 @@ class QuadBuilder
 {
 public:
   QuadBuilder(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
-    const std::vector<int>& counts, double size)
+    const std::vector<int>& counts, std::vector<std::vector<double>> spacing, double size)
     : Map(map)
     , Separatrices(mesh)
     , Counts(counts)
+    , Spacing(std::move(spacing))
     , Points(mesh, counts)
     , Classes(Index(this->Points.Count()))
     , Curves(curves)
@@ -189,7 +192,7 @@ private:
   QuadPoint ArcPoint(const TArc& arc, int half, int j, int count, int number) const
   {
     QuadPoint point;
-    const double within = arc.length * j / count;
+    const double within = this->Spacing[half / 2][j];
     const ChartPlace place = this->PlaceOn(half, within);
     point.scale = PlaneScale(this->Map, place.triangle);
     if (arc.onBoundary)
@@ -230,7 +233,8 @@ private:
       const int count = this->Counts[half / 2];
       for (int j = points.empty() ? 0 : 1; j <= count && count > 0; ++j)
       {
-        const double within = length * j / count;
+        const double within =
+          half % 2 == 0 ? this->Spacing[half / 2][j] : length - this->Spacing[half / 2][count - j];
         points.push_back({ start + within, this->Points.At(half, j), half, within });
       }
       start += length;
@@ -379,6 +383,7 @@ private:
   const SeamlessMap& Map;
   const TMesh& Separatrices;
   const std::vector<int>& Counts;
+  const std::vector<std::vector<double>> Spacing; ///< Distances of the points along every arc.
   const ArcPoints Points;
   UnionFind Classes;
   const MeshBoundary& Curves;
@@ -391,8 +396,10 @@ private:
 }
 
 QuadMesh BuildQuads(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
-  const std::vector<int>& counts, double size, const BoundarySides& sides)
+  const std::vector<int>& counts, double size, const BoundarySides& sides,
+  const std::vector<int>& prescribed)
 {
-  return QuadBuilder(map, curves, mesh, counts, size).Build(sides);
+  return QuadBuilder(map, curves, mesh, counts, GradualSpacing(mesh, counts, prescribed), size)
+    .Build(sides);
 }
 }

@@ -98,7 +98,7 @@ public:
       static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
       "This number of quads", "use a larger size or fewer quads");
     result.mesh = BuildQuads(this->Map, this->Curves, result.tMesh, result.counts.counts,
-      result.size, this->Options.sides);
+      result.size, this->Options.sides, this->Graded.ArcsWithCounts());
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     this->PairNodes(result.mesh);

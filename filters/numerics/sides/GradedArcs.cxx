@@ -70,6 +70,19 @@ void GradedArcs::SetTargets(std::vector<double>& targets) const
   }
 }
 
+std::vector<int> GradedArcs::ArcsWithCounts() const
+{
+  std::vector<int> arcs;
+  for (const Part& part : this->Parts)
+  {
+    if (!this->Prescribed[part.side].isGraded)
+    {
+      arcs.insert(arcs.end(), part.arcs.begin(), part.arcs.end());
+    }
+  }
+  return arcs;
+}
+
 void GradedArcs::SetWeights(QuantisationProblem& problem) const
 {
   // Arcs across the domain, whose targets are those of the size field, give way to these.

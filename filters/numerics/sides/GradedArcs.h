@@ -24,6 +24,8 @@ public:
   /// edges of the prescribed length: the objective is linear, and to satisfy the sums alone it would
   /// change the numbers of few arcs by much instead of those of all by little.
   void SetTargets(std::vector<double>& targets) const;
+  /// Returns the arcs with a prescribed number or length of edges and no progression.
+  std::vector<int> ArcsWithCounts() const;
   /// Raises the weights of the arcs in a problem.
   void SetWeights(QuantisationProblem& problem) const;
 

@@ -314,13 +314,12 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain,
       }
       options.quadCount = CorrectCount(before, after, total);
     }
-    else if (layers.error->GetKind() != Error::Kind::LackOfRows)
-    {
-      throw Error(*layers.error);
-    }
     else if (!best)
     {
-      sideCounts.Require();
+      if (layers.error->GetKind() == Error::Kind::LackOfRows)
+      {
+        sideCounts.Require();
+      }
       throw Error(*layers.error);
     }
     else
