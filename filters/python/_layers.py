@@ -21,14 +21,15 @@ def _name(name: str) -> str:
 
 
 def layers_text(layers: Layers) -> str:
-    """Returns first height, growth and number of rows for each named side; a text is in this form already."""
+    """Returns first height (None: that of the quads), growth and number of rows for each side; a text is in this form already."""
     if isinstance(layers, str):
         return layers
     entries = []
     for name, values in dictionary(layers, "argument layers", "{'wall': (1e-4, 1.2)}").items():
         if not isinstance(values, str):
             row = values if isinstance(values, (list, tuple)) else np.atleast_1d(values).tolist()
-            values = ",".join(repr(number(value, "layer of '%s'" % name, "the height of its first row, or a tuple of numbers"))
+            values = ",".join("" if value is None else
+                              repr(number(value, "layer of '%s'" % name, "the height of its first row, or a tuple of numbers"))
                               for value in row)
         entries.append("%s:%s" % (_name(name), values))
     return ";".join(entries)

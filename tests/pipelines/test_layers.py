@@ -80,6 +80,16 @@ class Layers(ProgramTest):
                                                           "--layers", "outer1:1e-3", "--verbose"))
         self.assertNotIn("layers", self.report("builtin:square", "--size", "0.1"))
 
+    def test_rows_of_equal_height_rows_of_quads_and_all_holes(self):
+        equal, = self.report(LAYERS / "step.vtp", "--size", "0.1", "--layers", "wall:0.02,1")["layers"]
+        self.assertEqual(equal["in_bounds"], 1)
+        self.assertLessEqual(equal["growth"], 1 + 1e-9)
+        report = self.report("builtin:ring", "--quads", "1500", "--layers", "holes:,,7", "--count", "holes:48")
+        quads, = report["layers"]
+        self.assertEqual((quads["side"], quads["first"], quads["replaced"], quads["rows"]), ("hole0", 0, 7, 7))
+        self.assertEqual({side["name"]: side["edges"] for side in report["sides"]}["hole0"], 48)
+        self.refuse("quads", "builtin:disk", "-o", "quads.vtu", "--layers", "holes:1e-3", says=("no side 'holes'",))
+
     def test_impossible_prescriptions_are_refused(self):
         step = LAYERS / "step.vtp"
         for arguments, says in (
@@ -91,7 +101,8 @@ class Layers(ProgramTest):
                 (("--layers", "wall:0"), "first height of 0"),
                 (("--layers", "wall:1e-30"), "below the digits of coordinates; give at least"),
                 (("--layers", "wall:nan"), "'nan' of side 'wall' is not valid"),
-                (("--layers", "wall:1e-3,1"), "growth of 1; give a number above 1"),
+                (("--layers", "wall:1e-3,0.9"), "growth of 0.9; give a number from 1 to 3"),
+                (("--layers", "wall:,"), "has no number"),
                 (("--layers", "wall:0.5"), "is not below the height"),
                 (("--layers", "wall:1e-3,1.2,4"), "but 4 are prescribed"),
                 (("--layers", "wall:1e-3", "--layers", "wall:1e-4"), "'wall' has two layers"),

@@ -230,8 +230,6 @@ TEST(QuadMesherSides, ATablePrescribesWhatPropertiesDo)
   table->AddColumn(texts("Layers", { "", "", "", "" }));
   FilterChecks::CaptureError(byTable, { "the column 'Layers', which is none of Side, Count, " });
   table->RemoveColumnByName("Layers");
-  table->RemoveColumnByName("LayerFirst");
-  FilterChecks::CaptureError(byTable, { "layer of side 'left' has no height of the first row" });
   table->RemoveColumnByName("Side");
   FilterChecks::CaptureError(byTable, { "has no column Side" });
   table->AddColumn(texts("Side", { "bottom", "", "top", "right" }));

@@ -72,7 +72,9 @@ BandLines::BandLines(const LayeredMesh& layered, const QuadBand& band, const Qua
       data.length = curve.Length();
       direction = curve.StartTangent();
     }
-    data.first = heights[line] / std::max(0.5, this->SineAtWall(line, direction));
+    data.first = heights[line] > 0.0
+      ? heights[line] / std::max(0.5, this->SineAtWall(line, direction))
+      : data.length / rows;
   }
 }
 
@@ -97,7 +99,7 @@ std::vector<double> BandLines::HeightsAtWall()
       const int layer = exists ? this->Band.layers[column % columns] : -1;
       if (layer >= 0)
       {
-        heights[line] += this->Layered.prescriptions[layer].first;
+        heights[line] += this->Layered.prescriptions[layer].first.value_or(0.0);
         ++sides;
       }
     }
@@ -245,12 +247,19 @@ double BandLines::LargestGrowth(const std::vector<std::vector<QuadPoint>>& point
   return growth;
 }
 
+double BandLines::FirstOf(const BandLine& line, int rows) const
+{
+  // Rows that must not grow become lower instead where fewer of them would do.
+  return line.isLayered && this->Band.growth == 1.0 ? line.first
+                                                    : std::min(line.first, line.length / rows);
+}
+
 double BandLines::LargestStep(int rows) const
 {
   std::vector<double> last;
   for (const BandLine& line : this->Data)
   {
-    const double first = std::min(line.first, line.length / rows);
+    const double first = this->FirstOf(line, rows);
     const std::vector<double> ends = RowEnds(line.length, first, rows);
     last.push_back(rows > 1 ? line.length - ends[ends.size() - 2] : line.length);
   }
@@ -337,8 +346,7 @@ std::vector<std::vector<QuadPoint>> BandLines::Divide(int rows) const
       lengths.push_back(
         lengths.back() + (this->PlaceOf(points[level + 1]) - this->PlaceOf(points[level])).norm());
     }
-    const std::vector<double> rowEnds =
-      RowEnds(data.length, std::min(data.first, data.length / rows), rows);
+    const std::vector<double> rowEnds = RowEnds(data.length, this->FirstOf(data, rows), rows);
     result.emplace_back();
     for (std::size_t row = 0; row + 1 < rowEnds.size(); ++row)
     {

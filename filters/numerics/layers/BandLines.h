@@ -40,6 +40,8 @@ private:
   /// Returns the prescribed heights of the first row at the wall, normal to it, and marks the lines
   /// at layered sides.
   std::vector<double> HeightsAtWall();
+  /// Returns the height of the first of `rows` rows along a line.
+  double FirstOf(const BandLine& line, int rows) const;
   /// Returns the mean sine of the angles between a direction at a line's start and the wall, or its
   /// layered part.
   double SineAtWall(std::size_t line, const Point& direction) const;

@@ -30,7 +30,8 @@ std::string CountRows(int rows)
 struct BandPlan
 {
   int rowsReplaced = 0;
-  int rows = 0;     ///< 0: as many as the growth needs.
+  int rows = 0; ///< 0: as many as the growth needs.
+  bool isDivided = true;
   std::string lack; ///< As in LayerReport.
 };
 
@@ -72,6 +73,10 @@ public:
   {
     for (std::size_t b = 0; b < this->Plans.size(); ++b)
     {
+      if (!this->Plans[b].isDivided)
+      {
+        continue;
+      }
       const QuadWalk walk(this->Layered.mesh);
       const QuadBand band =
         FindBand(this->Layered, walk, this->EdgeOf(b), this->Plans[b].rowsReplaced);
@@ -134,7 +139,7 @@ private:
     int rows = 1;
     for (const LayerPrescription& prescription : this->Layered.prescriptions)
     {
-      rows = std::max(rows, 2 * RowsToReplace(prescription.growth));
+      rows = std::max({ rows, 2 * RowsToReplace(prescription.growth), RowsBeside(prescription) });
     }
     return rows;
   }
@@ -148,8 +153,10 @@ private:
     std::vector<std::vector<QuadPoint>> points = lines.Divide(plan.rows);
     // Chords of a curved line may grow slightly faster than its lengths.
     constexpr int MoreRows = 5;
-    for (int more = 0;
-         !isPrescribed && more < MoreRows && lines.LargestGrowth(points) > band.growth; ++more)
+    constexpr double Rounding = 1e-9;
+    for (int more = 0; !isPrescribed && more < MoreRows &&
+         lines.LargestGrowth(points) > band.growth * (1.0 + Rounding);
+         ++more)
     {
       points = lines.Divide(++plan.rows);
     }
@@ -200,6 +207,12 @@ private:
       }
       rows = std::max(rows, prescribed);
     }
+    const bool isDivided = std::any_of(band.layers.begin(), band.layers.end(),
+      [this](int layer) { return layer >= 0 && this->Layered.prescriptions[layer].first; });
+    if (!isDivided)
+    {
+      return this->PlanOfQuads(band, walk);
+    }
     BandPlan plan =
       rows > 0 ? this->PlanForRows(band, walk, rows) : this->PlanForGrowth(band, walk);
     const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
@@ -212,17 +225,47 @@ private:
   {
     for (const BandLine& line : lines.Lines())
     {
-      if (line.isLayered && line.first * rowsReplaced >= line.length)
+      if (line.isLayered && line.first * rowsReplaced > line.length)
       {
         const LayerPrescription& prescription = this->PrescriptionOf(band);
         // Normal to the wall, as the first height is.
-        const double height = line.length / rowsReplaced * prescription.first / line.first;
-        throw Error("The first height " + FormatNumber(prescription.first, 2) +
-          " of the layer of '" + prescription.name + "' is not below the height " +
-          FormatNumber(height, 2) +
+        const double first = prescription.first.value_or(0.0);
+        const double height = line.length / rowsReplaced * first / line.first;
+        throw Error("The first height " + FormatNumber(first, 2) + " of the layer of '" +
+          prescription.name + "' is not below the height " + FormatNumber(height, 2) +
           " of the quads beside it; give a smaller height, or larger quads.");
       }
     }
+  }
+
+  /// Returns a plan whose rows are those of the quads.
+  BandPlan PlanOfQuads(const QuadBand& band, const QuadWalk& walk) const
+  {
+    int needed = 1;
+    for (const int layer : band.layers)
+    {
+      needed = std::max(needed, layer < 0 ? 1 : RowsBeside(this->Layered.prescriptions[layer]));
+    }
+    BandPlan plan;
+    plan.isDivided = false;
+    plan.rowsReplaced = std::min(needed, static_cast<int>(band.rows.size()));
+    plan.rows = plan.rowsReplaced;
+    if (plan.rows < needed)
+    {
+      plan.lack = this->AcceptLack(band, walk, needed);
+    }
+    return plan;
+  }
+
+  /// Throws the error for a band with too few rows, unless it may have them; then returns its cause.
+  std::string AcceptLack(const QuadBand& band, const QuadWalk& walk, int needed) const
+  {
+    const Error error = this->LackOf(band, walk, needed);
+    if (!this->TakesFewRows || error.GetKind() != Error::Kind::LackOfRows)
+    {
+      throw Error(error);
+    }
+    return error.GetCause();
   }
 
   /// Returns the smallest number of rows behind which the step of heights is about the smallest.
@@ -236,12 +279,7 @@ private:
     const int needed = RowsToReplace(band.growth);
     if (best > AcceptedStep && available < needed)
     {
-      const Error error = this->LackOf(band, walk, needed);
-      if (!this->TakesFewRows || error.GetKind() != Error::Kind::LackOfRows)
-      {
-        throw Error(error);
-      }
-      plan.lack = error.GetCause();
+      plan.lack = this->AcceptLack(band, walk, needed);
     }
     return plan;
   }
@@ -266,8 +304,8 @@ private:
     if (plan.rowsReplaced == 0)
     {
       throw Error("The layer of '" + prescription.name + "' needs " + CountRows(needed) +
-        " to grow from " + FormatNumber(prescription.first, 2) + " to the quads beside it, but " +
-        std::to_string(rows) +
+        " to grow from " + FormatNumber(prescription.first.value_or(0.0), 2) +
+        " to the quads beside it, but " + std::to_string(rows) +
         " are prescribed; give more rows, a larger growth, or smaller quads.");
     }
     const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
@@ -340,21 +378,21 @@ void RequireLayers(const std::vector<LayerPrescription>& layers,
   {
     const LayerPrescription& layer = layers[i];
     const std::string name = "The layer of '" + layer.name + "'";
-    if (!(layer.first > 0.0) || !std::isfinite(layer.first))
+    if (layer.first && (!(*layer.first > 0.0) || !std::isfinite(*layer.first)))
     {
-      throw Error(name + " has a first height of " + FormatNumber(layer.first, 2) +
+      throw Error(name + " has a first height of " + FormatNumber(*layer.first, 2) +
         "; give a positive length.");
     }
-    if (layer.first < LeastPart * extent)
+    if (layer.first && *layer.first < LeastPart * extent)
     {
-      throw Error(name + " has a first height of " + FormatNumber(layer.first, 2) +
+      throw Error(name + " has a first height of " + FormatNumber(*layer.first, 2) +
         ", below the digits of coordinates; give at least " + FormatNumber(LeastPart * extent, 2) +
         ".");
     }
-    if (!(layer.growth > 1.0 && layer.growth <= 3.0))
+    if (!(layer.growth >= 1.0 && layer.growth <= 3.0))
     {
       throw Error(name + " has a growth of " + FormatNumber(layer.growth, 2) +
-        "; give a number above 1 and at most 3.");
+        "; give a number from 1 to 3.");
     }
     if (layer.rows < 0)
     {
@@ -370,6 +408,11 @@ void RequireLayers(const std::vector<LayerPrescription>& layers,
       }
     }
   }
+}
+
+int RowsBeside(const LayerPrescription& layer)
+{
+  return !layer.first && layer.rows > 0 ? layer.rows : RowsToReplace(layer.growth);
 }
 
 std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,

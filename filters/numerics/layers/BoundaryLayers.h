@@ -10,6 +10,9 @@ namespace crossfield
 void RequireLayers(const std::vector<LayerPrescription>& layers,
   const std::vector<std::string>& sides, double extent);
 
+/// Returns the number of rows of quads beside a side that must be free of irregular nodes.
+int RowsBeside(const LayerPrescription& layer);
+
 /// Divides the bands of quads beside sides of a mesh into rows whose heights grow from the wall
 /// (docs/method.md §16). Points outside the bands, valences and the irregular points stay as they
 /// are. The blocks are divided along the bands. `domain` is that of the mesh, whose symmetries the

@@ -92,7 +92,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
   {
     LayerReport report;
     report.name = prescription.name;
-    report.first = prescription.first;
+    report.first = prescription.first.value_or(0.0);
     report.minimumHeight = std::numeric_limits<double>::infinity();
     reports.push_back(report);
   }
@@ -114,7 +114,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
     report.minimumHeight = std::min(report.minimumHeight, first);
     report.maximumHeight = std::max(report.maximumHeight, first);
     lengths[layer] += length;
-    if (std::abs(first - report.first) <= HeightTolerance * report.first)
+    if (report.first == 0.0 || std::abs(first - report.first) <= HeightTolerance * report.first)
     {
       report.partInBounds += length;
     }

@@ -13,7 +13,7 @@ struct LayerReport
   std::string name;           ///< Of the side.
   int rowsReplaced = 0;       ///< K: rows of quads that were replaced.
   int rows = 0;               ///< N: rows of the layer.
-  double first = 0.0;         ///< Prescribed height of the first row.
+  double first = 0.0;         ///< Prescribed height of the first row, 0: none.
   double minimumHeight = 0.0; ///< Of the first row, normal to the wall.
   double maximumHeight = 0.0; ///< Of the first row, normal to the wall.
   double meanThickness = 0.0; ///< Length across all rows.

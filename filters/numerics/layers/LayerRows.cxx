@@ -19,7 +19,8 @@ double SumOfRows(double logarithm, int rows)
 
 int RowsToFill(double length, double first, double growth)
 {
-  const double rows = std::log1p(length * (growth - 1.0) / first) / std::log(growth);
+  const double rows =
+    growth == 1.0 ? length / first : std::log1p(length * (growth - 1.0) / first) / std::log(growth);
   return std::max(1, static_cast<int>(std::ceil(rows - RowRounding)));
 }
 
@@ -57,6 +58,8 @@ std::vector<double> RowEnds(double length, double first, int rows)
 
 int RowsToReplace(double growth)
 {
-  return std::max(1, static_cast<int>(std::ceil(1.0 / (growth - 1.0) - RowRounding)));
+  return growth == 1.0
+    ? 1
+    : std::max(1, static_cast<int>(std::ceil(1.0 / (growth - 1.0) - RowRounding)));
 }
 }

@@ -2,6 +2,7 @@
 
 #include "QuadMesh.h"
 
+#include <optional>
 #include <string>
 
 namespace crossfield
@@ -9,9 +10,10 @@ namespace crossfield
 /// What a user prescribes for the boundary layer of a side.
 struct LayerPrescription
 {
-  std::string name;    ///< Of the side, for messages.
-  double first = 0.0;  ///< Height of the first row, a length.
-  double growth = 1.2; ///< Maximum ratio of the heights of neighbouring rows, above 1.
+  std::string name; ///< Of the side, for messages.
+  /// Height of the first row, a length; none: rows are the quads themselves, free of irregular nodes.
+  std::optional<double> first;
+  double growth = 1.2; ///< Maximum ratio of the heights of neighbouring rows, at least 1.
   int rows = 0;        ///< Number of rows; 0: as many as the growth needs.
 };
 

@@ -37,8 +37,8 @@ public:
   /// Returns the strip of edge j of an arc.
   int At(std::size_t arc, int j) const { return this->Of[this->Offsets[arc] + j]; }
 
-  /// Returns the logarithms of the widths of all strips, limited by those of the strips through some arcs.
-  std::vector<double> Widths(const std::vector<int>& arcs) const
+  /// Returns factors for the widths of all strips, limited by those of the strips through some arcs.
+  std::vector<double> Factors(const std::vector<int>& arcs) const
   {
     std::vector<double> sums(this->Of.size(), 0.0);
     std::vector<double> edges(this->Of.size(), 0.0);
@@ -62,7 +62,13 @@ public:
         sources.push_back(this->At(static_cast<std::size_t>(arc), j));
       }
     }
-    return this->Limit(std::move(sums), sources);
+    std::vector<double> factors = this->Limit(sums, sources);
+    for (std::size_t i = 0; i < factors.size(); ++i)
+    {
+      factors[i] = std::exp(factors[i] - sums[i]);
+    }
+    this->FitToArcs(factors);
+    return factors;
   }
 
 private:
@@ -131,6 +137,29 @@ private:
     }
   }
 
+  /// Makes the mean of the factors on each arc 1, which all factors equal to 1 do, by iterative
+  /// proportional fitting. Otherwise a side of one arc and the opposite one of several would be divided
+  /// differently.
+  void FitToArcs(std::vector<double>& factors) const
+  {
+    constexpr int Rounds = 50;
+    for (int round = 0; round < Rounds; ++round)
+    {
+      for (std::size_t a = 0; a < this->Counts.size(); ++a)
+      {
+        double sum = 0.0;
+        for (int j = 0; j < this->Counts[a]; ++j)
+        {
+          sum += factors[this->At(a, j)];
+        }
+        for (int j = 0; j < this->Counts[a]; ++j)
+        {
+          factors[this->At(a, j)] *= this->Counts[a] / sum;
+        }
+      }
+    }
+  }
+
   void AddNeighbours(int one, int other)
   {
     this->Neighbours[one].push_back(other);
@@ -193,15 +222,15 @@ std::vector<std::vector<double>> EqualSpacing(const TMesh& mesh, const std::vect
 std::vector<std::vector<double>> GradualSpacing(
   const TMesh& mesh, const std::vector<int>& counts, const std::vector<int>& prescribed)
 {
-  const Strips strips(mesh, counts);
-  const std::vector<double> widths = strips.Widths(prescribed);
   std::vector<std::vector<double>> spacing = EqualSpacing(mesh, counts);
+  const Strips strips(mesh, counts);
+  const std::vector<double> factors = strips.Factors(prescribed);
   for (std::size_t a = 0; a < counts.size(); ++a)
   {
     std::vector<double>& places = spacing[a];
     for (int j = 0; j < counts[a]; ++j)
     {
-      places[j + 1] = places[j] + std::exp(widths[strips.At(a, j)]);
+      places[j + 1] = places[j] + factors[strips.At(a, j)];
     }
     const double factor = mesh.arcs[a].length / places.back();
     for (double& place : places)

@@ -2,7 +2,6 @@
 
 #include "ArcPoints.h"
 #include "ArcPosition.h"
-#include "ArcSpacing.h"
 #include "BoundaryOrder.h"
 #include "ChartWalk.h"
 #include "Index.h"
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace crossfield
 {
@@ -52,11 +50,11 @@ class QuadBuilder
 {
 public:
   QuadBuilder(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
-    const std::vector<int>& counts, std::vector<std::vector<double>> spacing, double size)
+    const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size)
     : Map(map)
     , Separatrices(mesh)
     , Counts(counts)
-    , Spacing(std::move(spacing))
+    , Spacing(spacing)
     , Points(mesh, counts)
     , Classes(Index(this->Points.Count()))
     , Curves(curves)
@@ -383,7 +381,7 @@ private:
   const SeamlessMap& Map;
   const TMesh& Separatrices;
   const std::vector<int>& Counts;
-  const std::vector<std::vector<double>> Spacing; ///< Distances of the points along every arc.
+  const std::vector<std::vector<double>>& Spacing; ///< Distances of the points along every arc.
   const ArcPoints Points;
   UnionFind Classes;
   const MeshBoundary& Curves;
@@ -396,10 +394,9 @@ private:
 }
 
 QuadMesh BuildQuads(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
-  const std::vector<int>& counts, double size, const BoundarySides& sides,
-  const std::vector<int>& prescribed)
+  const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size,
+  const BoundarySides& sides)
 {
-  return QuadBuilder(map, curves, mesh, counts, GradualSpacing(mesh, counts, prescribed), size)
-    .Build(sides);
+  return QuadBuilder(map, curves, mesh, counts, spacing, size).Build(sides);
 }
 }

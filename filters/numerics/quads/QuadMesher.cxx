@@ -1,6 +1,7 @@
 #include "QuadMesher.h"
 
 #include "ArcOrbits.h"
+#include "ArcSpacing.h"
 #include "BoundaryOrder.h"
 #include "BoundarySymmetry.h"
 #include "Candidates.h"
@@ -97,8 +98,28 @@ public:
     RequireMemory(
       static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
       "This number of quads", "use a larger size or fewer quads");
-    result.mesh = BuildQuads(this->Map, this->Curves, result.tMesh, result.counts.counts,
-      result.size, this->Options.sides, this->Graded.ArcsWithCounts());
+    const std::vector<int>& counts = result.counts.counts;
+    const auto build = [&](const std::vector<std::vector<double>>& spacing)
+    {
+      return BuildQuads(
+        this->Map, this->Curves, result.tMesh, counts, spacing, result.size, this->Options.sides);
+    };
+    result.mesh = build(EqualSpacing(result.tMesh, counts));
+    const std::vector<int> prescribed = this->Graded.ArcsWithCounts();
+    if (!prescribed.empty())
+    {
+      // Where a large change has room on few strips only, these would become oblique; angles are those of
+      // the map elsewhere.
+      constexpr double LargestLoss = 0.1;
+      QuadMesh gradual = build(GradualSpacing(result.tMesh, counts, prescribed));
+      const QuadQuality quality = MeasureQuads(gradual, result.size);
+      const QuadQuality equal = MeasureQuads(result.mesh, result.size);
+      if (quality.inverted <= equal.inverted &&
+        quality.jacobian.min >= equal.jacobian.min - LargestLoss)
+      {
+        result.mesh = std::move(gradual);
+      }
+    }
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     this->PairNodes(result.mesh);
@@ -365,8 +386,8 @@ private:
     QuadResult result;
     result.tMesh = this->Result.tMesh;
     SetCounts(this->RefineCounts(coarse, chords), result);
-    result.blocks = FindBlocks(
-      BuildQuads(this->Map, this->Curves, result.tMesh, result.counts.counts, result.size));
+    result.blocks = FindBlocks(BuildQuads(this->Map, this->Curves, result.tMesh,
+      result.counts.counts, EqualSpacing(result.tMesh, result.counts.counts), result.size));
     return result;
   }
 

@@ -234,7 +234,7 @@ ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const ResolvedRe
       if (const LayerPrescription* layer = FindLayer(request, names.At(l, segment)))
       {
         const Point middle = 0.5 * (loop[segment] + loop[(segment + 1) % loop.size()]);
-        distance = request.layerDistance * RowsToReplace(layer->growth) * quadSize(middle);
+        distance = request.layerDistance * RowsBeside(*layer) * quadSize(middle);
       }
       factors.back().push_back(std::max(1.0, distance / clearance));
     }
@@ -265,10 +265,14 @@ int CountBeforeLayers(const PlanarDomain& domain, const ResolvedRequest& request
     for (std::size_t i = 0; i < request.layers.size(); ++i)
     {
       const LayerPrescription& layer = request.layers[i];
+      if (!layer.first)
+      {
+        continue;
+      }
       const int replaced = RowsToReplace(layer.growth);
       const int rows = layer.rows > 0
         ? layer.rows
-        : RowsToFill(replaced * size, std::min(layer.first, size), layer.growth);
+        : RowsToFill(replaced * size, std::min(*layer.first, size), layer.growth);
       columns += lengths[i] * std::max(0, rows - replaced);
     }
     // A x² + columns x = count, x = 1/h.

@@ -41,6 +41,55 @@ void RequireSides(const std::vector<DomainPart>& parts, const QuadRequest& reque
   }
 }
 
+/// Returns the names of the sides on inner loops.
+std::vector<std::string> NamesOfHoles(const std::vector<DomainPart>& parts)
+{
+  std::vector<std::string> names;
+  for (const DomainPart& part : parts)
+  {
+    const std::vector<LoopArc> loops(part.domain.loops.begin(), part.domain.loops.end());
+    const SidesAlong along(part.sides, loops);
+    for (std::size_t l = 1; l < loops.size(); ++l)
+    {
+      for (const LoopSide& start : along.On(l))
+      {
+        const std::string& name = part.sides.names[start.side];
+        if (std::find(names.begin(), names.end(), name) == names.end())
+        {
+          names.push_back(name);
+        }
+      }
+    }
+  }
+  return names;
+}
+
+/// Replaces the items of the side `holes`, unless there is a side of this name, by items of all sides of
+/// inner loops.
+template <class Item>
+void ExpandHoles(const std::vector<DomainPart>& parts, std::vector<Item>& items)
+{
+  const std::string all = "holes";
+  const bool isSide = std::any_of(
+    parts.begin(), parts.end(), [&](const DomainPart& part) { return part.sides.Find(all) >= 0; });
+  const std::vector<std::string> names = isSide ? std::vector<std::string>() : NamesOfHoles(parts);
+  std::vector<Item> expanded;
+  for (const Item& item : items)
+  {
+    if (item.side != all || names.empty())
+    {
+      expanded.push_back(item);
+      continue;
+    }
+    for (const std::string& name : names)
+    {
+      expanded.push_back(item);
+      expanded.back().side = name;
+    }
+  }
+  items = std::move(expanded);
+}
+
 /// Copies the items of a request that belong to a part.
 template <class Item, class Belongs>
 void Keep(std::vector<Item>& items, const Belongs& belongs)
@@ -52,8 +101,11 @@ void Keep(std::vector<Item>& items, const Belongs& belongs)
 }
 
 std::vector<PartRequest> SplitRequest(
-  const std::vector<DomainPart>& parts, const QuadRequest& request)
+  const std::vector<DomainPart>& parts, const QuadRequest& given)
 {
+  QuadRequest request = given;
+  ExpandHoles(parts, request.sideRequests);
+  ExpandHoles(parts, request.cornerRows);
   if (parts.size() == 1)
   {
     PartRequest all{ request, {}, 1.0 };

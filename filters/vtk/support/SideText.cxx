@@ -153,14 +153,9 @@ public:
       }
       request.curve = kind->second;
     }
-    if (!row.layerFirst.empty())
+    if (!row.layerFirst.empty() || !row.layerGrowth.empty() || !row.layerRows.empty())
     {
       request.layer = this->ReadLayer();
-    }
-    else if (!row.layerGrowth.empty() || !row.layerRows.empty())
-    {
-      throw Error("The layer of side '" + row.side +
-        "' has no height of the first row; give one, or leave out its growth and rows.");
     }
     return request;
   }
@@ -262,7 +257,10 @@ private:
   {
     crossfield::LayerPrescription layer;
     layer.name = this->TheRow.side;
-    layer.first = this->Number(this->TheRow.layerFirst, "height of the first row", "a length");
+    if (!this->TheRow.layerFirst.empty())
+    {
+      layer.first = this->Number(this->TheRow.layerFirst, "height of the first row", "a length");
+    }
     if (!this->TheRow.layerGrowth.empty())
     {
       layer.growth = this->Number(this->TheRow.layerGrowth, "growth of rows",
@@ -283,7 +281,8 @@ private:
 //------------------------------------------------------------------------------
 std::vector<Row> ReadLayers(const std::string& text)
 {
-  constexpr const char* Form = "NAME:FIRST, NAME:FIRST,GROWTH or NAME:FIRST,GROWTH,ROWS";
+  constexpr const char* Form = "NAME:FIRST, NAME:FIRST,GROWTH or NAME:FIRST,GROWTH,ROWS, "
+                               "where FIRST may be empty";
   std::vector<Row> rows;
   for (const Entry& entry : ReadEntries(text, "layer", Form))
   {
@@ -292,6 +291,11 @@ std::vector<Row> ReadLayers(const std::string& text)
     {
       throw Error("The layer '" + entry.name + ":" + entry.value +
         "' has more than three numbers; give " + Form + ".");
+    }
+    if (std::all_of(values.begin(), values.end(), [](const auto& value) { return value.empty(); }))
+    {
+      throw Error(
+        "The layer '" + entry.name + ":" + entry.value + "' has no number; give " + Form + ".");
     }
     values.resize(3);
     rows.emplace_back();

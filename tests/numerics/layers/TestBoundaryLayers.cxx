@@ -97,6 +97,54 @@ TEST(BoundaryLayers, OfASquareAreGeometricSeries)
   ExpectSoundBlocks(result.quads);
 }
 
+TEST(BoundaryLayers, OfEqualRowsAndOfQuads)
+{
+  // Quads have sides of 0.05; with a growth of 1, one row of them becomes five of 0.01 each.
+  const QuadWorkflowResult equal =
+    MakeQuadMesh(UnitSquare(), SquareRequest({ LayerOf("outer0", 0.01, 1.0) }));
+  const std::vector<double> y = Coordinates(equal.quads.mesh, 1);
+  ASSERT_EQ(y.size(), 21U + 4U);
+  for (std::size_t i = 0; i < y.size(); ++i)
+  {
+    const auto row = static_cast<double>(i);
+    EXPECT_NEAR(y[i], i < 5 ? 0.01 * row : 0.05 * (row - 4.0), 1e-12);
+  }
+  // Without a first height nothing is divided.
+  SideRequest ofQuads = LayerOf("outer0", 0.0, 1.2, 7);
+  ofQuads.layer->first.reset();
+  const QuadWorkflowResult result = MakeQuadMesh(UnitSquare(), SquareRequest({ ofQuads }));
+  EXPECT_EQ(result.quads.mesh.quads.size(), 400U);
+  EXPECT_EQ(result.layers[0].rows, 7);
+  EXPECT_EQ(result.layers[0].partInBounds, 1.0);
+  EXPECT_NEAR(result.layers[0].meanThickness, 0.35, 1e-12);
+  ofQuads.layer->rows = 21;
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(UnitSquare(), SquareRequest({ ofQuads })); },
+    { "Only 20 rows beside 'outer0' are free", "21 are needed", "use smaller quads" }));
+}
+
+TEST(BoundaryLayers, RowsBehindACornerThatRowsLeaveGrowAsWell)
+{
+  const PlanarDomain step =
+    MakePlanarDomain({ { { 0, 0 }, { 8, 0 }, { 8, 2 }, { -4, 2 }, { -4, 1 }, { 0, 1 } } });
+  QuadRequest request;
+  request.quadCount = 16000;
+  request.cornerRows.emplace_back();
+  request.cornerRows.back().position = Point(0.0, 1.0);
+  request.cornerRows.back().rows = CornerRows::Leave;
+  for (const char* name : { "outer0", "outer2", "outer4", "outer5" })
+  {
+    request.sideRequests.push_back(LayerOf(name, 1e-3));
+  }
+  const QuadWorkflowResult result = MakeQuadMesh(step, request);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  for (const LayerReport& report : result.layers)
+  {
+    EXPECT_LE(report.largestRatio, 3.0) << report.name; // 143 without rows there
+    EXPECT_EQ(report.partInBounds, 1.0) << report.name;
+  }
+  ExpectSoundBlocks(result.quads);
+}
+
 TEST(BoundaryLayers, OfARingAreCircles)
 {
   const PlanarDomain ring = MakePlanarDomain({ RegularPolygon(256), RegularPolygon(256, 0.4) });
@@ -327,8 +375,8 @@ TEST(BoundaryLayers, ImpossiblePrescriptionsAreRefused)
     { LayerOf("wall", 1e-3) }, { "no side 'wall'", "'outer0', 'outer1', 'outer2' or 'outer3'" }));
   EXPECT_TRUE(refuses({ LayerOf("outer0", 0.0) }, { "first height of 0", "positive" }));
   EXPECT_TRUE(refuses({ LayerOf("outer0", -1.0) }, { "first height of -1" }));
-  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 1.0) }, { "growth of 1", "above 1" }));
-  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 5.0) }, { "growth of 5", "at most 3" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 0.9) }, { "growth of 0.9", "from 1 to 3" }));
+  EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 5.0) }, { "growth of 5", "from 1 to 3" }));
   EXPECT_TRUE(refuses({ LayerOf("outer0", 1e-3, 1.2, -2) }, { "-2 rows" }));
   EXPECT_TRUE(
     refuses({ LayerOf("outer0", 1e-3), LayerOf("outer0", 1e-4) }, { "'outer0' has two layers" }));

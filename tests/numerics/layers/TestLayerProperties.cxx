@@ -186,7 +186,7 @@ double PartWithin(const QuadWorkflowResult& result, const std::vector<SideReques
               .norm());
     }
     ++all;
-    within += std::abs(distance / layer->layer->first - 1.0) <= 0.05 ? 1 : 0;
+    within += std::abs(distance / *layer->layer->first - 1.0) <= 0.05 ? 1 : 0;
   }
   return static_cast<double>(within) / all;
 }

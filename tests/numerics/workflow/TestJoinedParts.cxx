@@ -139,6 +139,40 @@ TEST(JoinedParts, RefuseSidesThatNoPartHas)
     Refuses([&] { SplitRequest(ThreeParts(), request); }, { "no side 'outer6'", "'outer5'" }));
 }
 
+TEST(JoinedParts, HolesAreTheSidesOfAllInnerLoops)
+{
+  const Loop square = { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } };
+  const Loop first = { { 1, 1 }, { 1, 2 }, { 2, 2 }, { 2, 1 } };
+  const Loop second = { { 3, 3 }, { 3, 3.5 }, { 3.5, 3.5 }, { 3.5, 3 } };
+  const PlanarDomain domain = MakePlanarDomain({ square, first, second });
+  QuadRequest request;
+  request.sideRequests.resize(2);
+  request.sideRequests[0].side = "outer0";
+  request.sideRequests[1].side = "holes";
+  request.sideRequests[1].count = 5;
+  request.cornerRows.emplace_back();
+  request.cornerRows[0].side = "holes";
+  const auto namesOf = [&](const DomainPart& part)
+  {
+    std::vector<std::string> names;
+    const std::vector<PartRequest> split = SplitRequest({ part }, request);
+    for (const SideRequest& one : split[0].request.sideRequests)
+    {
+      names.push_back(one.side);
+    }
+    return names;
+  };
+  EXPECT_EQ(namesOf(PartOf(domain)),
+    (std::vector<std::string>{
+      "outer0", "hole0", "hole1", "hole2", "hole3", "hole4", "hole5", "hole6", "hole7" }));
+  EXPECT_EQ(SplitRequest({ PartOf(domain) }, request)[0].request.cornerRows.size(), 8U);
+  // A side may have this name.
+  const SegmentNames names = { { "holes", "a", "b", "c" }, { "d", "d", "d", "d" },
+    { "e", "e", "e", "e" } };
+  EXPECT_EQ(namesOf({ domain, NameSides(domain, names), {} }),
+    (std::vector<std::string>{ "outer0", "holes" }));
+}
+
 TEST(JoinedParts, CountsFollowPrescribedSizes)
 {
   // Sizes of the square are a third of those elsewhere.

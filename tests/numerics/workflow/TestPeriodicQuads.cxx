@@ -232,7 +232,15 @@ TEST(PeriodicQuads, MatchWithLayersAndNumbers)
     }
     catch (const Error& error)
     {
-      EXPECT_EQ(error.GetKind(), Error::Kind::LackOfRows) << error.what();
+      const bool isNumber =
+        std::string(error.what()).find("leave out this number") != std::string::npos;
+      EXPECT_TRUE(isNumber || error.GetKind() == Error::Kind::LackOfRows) << error.what();
+      if (isNumber)
+      {
+        request.sideRequests.erase(request.sideRequests.begin() + 1);
+        EXPECT_NO_THROW(MakeQuadMesh(domain.domain, request));
+        continue;
+      }
       request.sideRequests.erase(
         request.sideRequests.begin()); // singularities are in the way, and not the pair
       EXPECT_THROW(MakeQuadMesh(domain.domain, request), Error);
