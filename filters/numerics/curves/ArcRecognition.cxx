@@ -81,13 +81,18 @@ private:
     return this->Vertices[vertex % this->Vertices.size()];
   }
 
-  /// Returns a vertex that is a corner or the middle of five points on no circle; 0 if there is none.
+  /// Returns a vertex that is a corner, or inside no five points on a circle; 0 if there is none.
   std::size_t FirstOutside() const
   {
     const std::size_t count = this->Vertices.size();
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (this->Corners[i] || !this->Fit((i + count - 2) % count, FewestPoints - 1))
+      bool isInside = false;
+      for (std::size_t before = 1; before < FewestPoints - 1; ++before)
+      {
+        isInside = isInside || this->Fit((i + count - before) % count, FewestPoints - 1);
+      }
+      if (this->Corners[i] || !isInside)
       {
         return i;
       }

@@ -21,6 +21,9 @@ namespace crossfield
 {
 namespace
 {
+/// Part of a side on which the first height of its layer must hold for there to be no warning.
+constexpr double EnoughInBounds = 0.95;
+
 /// Adds the seconds of its scope to a number, also if an exception leaves it.
 class ScopedSeconds
 {
@@ -343,6 +346,13 @@ void QuadSteps::AddWarnings()
           FormatNumber(layer.largestRatio, 2) + " : 1, and the first row has the given height on " +
           FormatNumber(100.0 * layer.partInBounds, 2) + " % of the side",
         "use smaller quads, or a larger growth"));
+    }
+    else if (layer.partInBounds < EnoughInBounds)
+    {
+      result.warnings.push_back("The first row of the layer of '" + layer.name + "' is " +
+        FormatNumber(layer.minimumHeight, 3) + " to " + FormatNumber(layer.maximumHeight, 3) +
+        " high; within 5 % of the given height on " + FormatNumber(100.0 * layer.partInBounds, 2) +
+        " % of the side only.");
     }
   }
   if (!this->Request.split)

@@ -139,6 +139,24 @@ TEST(ArcRecognition, FindsArcsInSinglePrecision)
   }
 }
 
+TEST(ArcRecognition, DoesNotDependOnTheFirstVertex)
+{
+  Loop slot; // two half circles of sixteen segments
+  for (int i = 0; i <= 33; ++i)
+  {
+    const double angle = Pi * (i - (i < 17 ? 0 : 1)) / 16.0 - 0.5 * Pi;
+    slot.emplace_back((i < 17 ? 1.0 : -1.0) + 0.5 * std::cos(angle), 0.5 * std::sin(angle));
+  }
+  for (std::size_t first = 0; first < slot.size(); ++first)
+  {
+    const std::vector<RecognisedArc> arcs = FindArcs(slot, DefaultCornerAngle);
+    ASSERT_EQ(arcs.size(), 2U) << first;
+    EXPECT_EQ(arcs[0].count, 16U) << first;
+    EXPECT_EQ(arcs[1].count, 16U) << first;
+    std::rotate(slot.begin(), slot.begin() + 1, slot.end());
+  }
+}
+
 TEST(ArcRecognition, FindsWholeCircles)
 {
   Loop loop;
