@@ -52,7 +52,7 @@ def mesh(program, case, quads):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--program", default="crossfield")
-    parser.add_argument("--quads", type=int, nargs="+", default=[11000])
+    parser.add_argument("--quads", type=int, nargs="+", default=[5000])
     parser.add_argument("--reynolds", type=int, nargs="+", default=[1000, 5000])
     parser.add_argument("--keep", type=pathlib.Path, help="keep the last case in this folder")
     options = parser.parse_args()

@@ -21,8 +21,8 @@ PICTURES = (
      (0.08, 0.42, 0.04, 0.37)),
     ("profile", "profile", ("--quads", "10000", "--sizing", "conformal", "--layers", "profile:1e-4"),
      (-1.0, 2.0, -1.45, 1.45)),
-    ("step_turn", "step", ("--quads", "3000", "--layers", "wall:1e-2"), (2.9, 6.1, -0.05, 2.05)),
-    ("step_leave", "step", ("--quads", "3000", "--layers", "wall:1e-2", "--corner", "4,1:leave"),
+    ("step_turn", "step", ("--quads", "6000", "--layers", "wall:1e-2"), (2.9, 6.1, -0.05, 2.05)),
+    ("step_leave", "step", ("--quads", "6000", "--layers", "wall:1e-2", "--corner", "4,1:leave"),
      (2.9, 6.1, -0.05, 2.05)),
 )
 
