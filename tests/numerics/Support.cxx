@@ -2,6 +2,7 @@
 
 #include "BuiltinDomains.h"
 #include "MakePlanarDomain.h"
+#include "PoincareHopf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -313,6 +314,11 @@ testing::AssertionResult Refuses(
     return testing::AssertionFailure() << "threw something else: " << error.what();
   }
   return testing::AssertionFailure() << "threw nothing";
+}
+
+int Required(const PlanarDomain& domain, const std::vector<CornerChoice>& corners)
+{
+  return CountQuarters(domain.loops, 0, DefaultCornerAngle, corners).requiredInteriorQuarters;
 }
 
 PotentialProblem ProblemOn(const TriangleMesh& mesh, const std::vector<CornerChoice>& corners)

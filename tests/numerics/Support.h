@@ -135,6 +135,9 @@ double ConvergenceRate(const std::vector<double>& sizes, const std::vector<doubl
 testing::AssertionResult Refuses(const std::function<void()>& call,
   const std::vector<std::string>& parts, Error::Kind kind = Error::Kind::BadInput);
 
+/// Returns the sum of the quarter indices that a domain needs inside.
+int Required(const PlanarDomain& domain, const std::vector<CornerChoice>& corners = {});
+
 /// Factors a mesh and aligns its boundary.
 PotentialProblem ProblemOn(const TriangleMesh& mesh, const std::vector<CornerChoice>& corners = {});
 

@@ -72,6 +72,7 @@ BandLines::BandLines(const LayeredMesh& layered, const QuadBand& band, const Qua
       data.length = curve.Length();
       direction = curve.StartTangent();
     }
+    data.hasFirst = data.isLayered && heights[line] > 0.0;
     data.first = heights[line] > 0.0
       ? heights[line] / std::max(0.5, this->SineAtWall(line, direction))
       : data.length / rows;
@@ -250,8 +251,8 @@ double BandLines::LargestGrowth(const std::vector<std::vector<QuadPoint>>& point
 double BandLines::FirstOf(const BandLine& line, int rows) const
 {
   // Rows that must not grow become lower instead where fewer of them would do.
-  return line.isLayered && this->Band.growth == 1.0 ? line.first
-                                                    : std::min(line.first, line.length / rows);
+  return line.hasFirst && this->Band.growth == 1.0 ? line.first
+                                                   : std::min(line.first, line.length / rows);
 }
 
 double BandLines::LargestStep(int rows) const

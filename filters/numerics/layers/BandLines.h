@@ -10,8 +10,9 @@ struct BandLine
 {
   /// Whether one of its neighbours along the wall is a layered side; others are beyond a side.
   bool isLayered = false;
-  double length = 0.0; ///< Length across the band.
-  double first = 0.0;  ///< Height of the first row along the line.
+  bool hasFirst = false; ///< Whether a layer prescribes the height of its first row.
+  double length = 0.0;   ///< Length across the band.
+  double first = 0.0;    ///< Height of the first row along the line; without one that of the quads.
 };
 
 /// The grid lines across a band as curves, and the heights of rows along them (docs/method.md

@@ -225,7 +225,7 @@ private:
   {
     for (const BandLine& line : lines.Lines())
     {
-      if (line.isLayered && line.first * rowsReplaced > line.length)
+      if (line.hasFirst && line.first * rowsReplaced >= line.length)
       {
         const LayerPrescription& prescription = this->PrescriptionOf(band);
         // Normal to the wall, as the first height is.
@@ -311,7 +311,7 @@ private:
     const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
     for (const BandLine& line : lines.Lines())
     {
-      if (line.isLayered && rows * line.first > line.length)
+      if (line.hasFirst && rows * line.first > line.length)
       {
         throw Error("The " + CountRows(rows) + " of the layer of '" + prescription.name +
           "' are at least " + FormatNumber(rows * line.first, 2) + " thick, but only " +

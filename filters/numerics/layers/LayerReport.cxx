@@ -143,7 +143,10 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
   {
     reports[layer].partInBounds /= lengths[layer];
     reports[layer].meanThickness /= lengths[layer];
-    reports[layer].largestRatio = *std::max_element(ratios[layer].begin(), ratios[layer].end());
+    for (const double ratio : ratios[layer])
+    {
+      reports[layer].largestRatio = std::max(reports[layer].largestRatio, ratio);
+    }
     reports[layer].ratio99 = Quantile99(std::move(ratios[layer]));
   }
   return reports;

@@ -40,19 +40,19 @@ public:
   /// Returns factors for the widths of all strips, limited by those of the strips through some arcs.
   std::vector<double> Factors(const std::vector<int>& arcs) const
   {
-    std::vector<double> sums(this->Of.size(), 0.0);
+    std::vector<double> logarithms(this->Of.size(), 0.0);
     std::vector<double> edges(this->Of.size(), 0.0);
     for (std::size_t a = 0; a < this->Counts.size(); ++a)
     {
       for (int j = 0; j < this->Counts[a]; ++j)
       {
-        sums[this->At(a, j)] += std::log(this->Mesh.arcs[a].length / this->Counts[a]);
+        logarithms[this->At(a, j)] += std::log(this->Mesh.arcs[a].length / this->Counts[a]);
         edges[this->At(a, j)] += 1.0;
       }
     }
-    for (std::size_t i = 0; i < sums.size(); ++i)
+    for (std::size_t i = 0; i < logarithms.size(); ++i)
     {
-      sums[i] /= std::max(1.0, edges[i]);
+      logarithms[i] /= std::max(1.0, edges[i]);
     }
     std::vector<int> sources;
     for (const int arc : arcs)
@@ -62,10 +62,10 @@ public:
         sources.push_back(this->At(static_cast<std::size_t>(arc), j));
       }
     }
-    std::vector<double> factors = this->Limit(sums, sources);
+    std::vector<double> factors = this->Limit(logarithms, sources);
     for (std::size_t i = 0; i < factors.size(); ++i)
     {
-      factors[i] = std::exp(factors[i] - sums[i]);
+      factors[i] = std::exp(factors[i] - logarithms[i]);
     }
     this->FitToArcs(factors);
     return factors;

@@ -18,11 +18,6 @@ namespace crossfield::test
 {
 namespace
 {
-int Required(const PlanarDomain& domain, const std::vector<CornerChoice>& corners = {})
-{
-  return CountQuarters(domain.loops, 0, DefaultCornerAngle, corners).requiredInteriorQuarters;
-}
-
 /// Returns the singularities of the best proposal.
 Configuration ProposeConfiguration(const PlanarDomain& domain, const ProposalOptions& options = {})
 {

@@ -18,11 +18,6 @@ namespace crossfield::test
 {
 namespace
 {
-int Required(const PlanarDomain& domain)
-{
-  return CountQuarters(domain.loops, 0).requiredInteriorQuarters;
-}
-
 SolvedField SolveUnitNormOn(const TriangleMesh& mesh)
 {
   PerforatedOptions options;

@@ -10,11 +10,6 @@ namespace crossfield::test
 {
 namespace
 {
-int Required(const PlanarDomain& domain)
-{
-  return CountQuarters(domain.loops, 0).requiredInteriorQuarters;
-}
-
 /// Divides every side into `pieces` parts of unequal length.
 std::vector<Loop> Subdivided(const std::vector<Loop>& loops, int pieces)
 {
