@@ -28,7 +28,7 @@ def layers_text(layers: Layers) -> str:
     for name, values in dictionary(layers, "argument layers", "{'wall': (1e-4, 1.2)}").items():
         if not isinstance(values, str):
             row = values if isinstance(values, (list, tuple)) else np.atleast_1d(values).tolist()
-            values = ",".join("" if value is None else
+            values = ",".join("" if value is None and len(row) > 1 else
                               repr(number(value, "layer of '%s'" % name, "the height of its first row, or a tuple of numbers"))
                               for value in row)
         entries.append("%s:%s" % (_name(name), values))

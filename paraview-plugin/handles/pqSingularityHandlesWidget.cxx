@@ -1,5 +1,6 @@
 #include "pqSingularityHandlesWidget.h"
 
+#include "AfterRun.h"
 #include "SingularityTable.h"
 
 #include "pqApplicationCore.h"
@@ -178,7 +179,7 @@ void pqSingularityHandlesWidget::ScheduleReadOutput()
 {
   // Properties must not change during a pipeline update. If the property changes before the timer
   // fires, by undo for example, the output is out of date.
-  QTimer::singleShot(0, this,
+  AfterRun(this,
     [this, changes = this->Changes]
     {
       if (this->IsDragging)

@@ -1,5 +1,6 @@
 #include "pqOptionalInputWidget.h"
 
+#include "AfterRun.h"
 #include "ViewSources.h"
 
 #include "pqActiveObjects.h"
@@ -13,7 +14,6 @@
 #include <QComboBox>
 #include <QPointer>
 #include <QStandardItemModel>
-#include <QTimer>
 
 #include <algorithm>
 
@@ -58,7 +58,7 @@ void pqOptionalInputWidget::apply()
   const QPointer<pqPipelineSource> active = pqActiveObjects::instance().activeSource();
   pqInputSelectorWidget::apply();
   // A filter with a second input moves in the pipeline browser, which then selects its neighbour.
-  QTimer::singleShot(0, this,
+  AfterRun(this,
     [this, active]
     {
       if (active && active->getProxy() == this->proxy())

@@ -1,5 +1,6 @@
 #include "DefaultDisplay.h"
 
+#include "AfterRun.h"
 #include "DesignerLook.h"
 #include "Look.h"
 #include "TextLook.h"
@@ -21,7 +22,6 @@
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
-#include <QTimer>
 
 #include <algorithm>
 #include <array>
@@ -253,7 +253,7 @@ void ApplyAtFirstShow(pqPipelineSource* source)
       if (HasData(made, port))
       {
         // Applied after ParaView's own defaults.
-        QTimer::singleShot(0, added, [made, added, port] { ApplyDefaults(made, added, port); });
+        AfterRun(added, [made, added, port] { ApplyDefaults(made, added, port); });
         return;
       }
       // If there are no data yet, the display is applied after the first update that yields some,

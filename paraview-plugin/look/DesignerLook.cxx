@@ -1,5 +1,6 @@
 #include "DesignerLook.h"
 
+#include "AfterRun.h"
 #include "HandlePlane.h"
 #include "Look.h"
 
@@ -18,7 +19,6 @@
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkWeakPointer.h"
 
-#include <QTimer>
 
 namespace
 {
@@ -104,7 +104,7 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     break;
   }
   shown->UpdateVTKObjects();
-  QTimer::singleShot(0, representation,
+  AfterRun(representation,
     [representation, chosen]
     {
       Look::HideLegend(representation);

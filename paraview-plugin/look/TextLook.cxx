@@ -1,5 +1,6 @@
 #include "TextLook.h"
 
+#include "AfterRun.h"
 #include "Look.h"
 
 #include "pqDataRepresentation.h"
@@ -21,7 +22,6 @@
 #include "vtkSMTrace.h"
 #include "vtkWeakPointer.h"
 
-#include <QTimer>
 #include <QWidget>
 
 #include <algorithm>
@@ -184,7 +184,7 @@ void TextLook::Show(
   Look::Set(shown, "FontSize", 12.0);
   shown->UpdateVTKObjects();
   // The representation is added to its view after this call.
-  QTimer::singleShot(0, representation,
+  AfterRun(representation,
     [source, representation, port]
     {
       FindPlace(representation);

@@ -1,5 +1,6 @@
 #include "ViewMessages.h"
 
+#include "AfterRun.h"
 #include "TextLook.h"
 #include "ViewSources.h"
 
@@ -16,7 +17,6 @@
 #include "vtkSMProxy.h"
 
 #include <QSignalBlocker>
-#include <QTimer>
 
 #include <algorithm>
 #include <functional>
@@ -112,7 +112,7 @@ void ViewMessages::Add(const Message& message)
   if (this->Pending.empty())
   {
     // Texts are written at the end of the update.
-    QTimer::singleShot(0, this, [this] { this->Show(); });
+    AfterRun(this, [this] { this->Show(); });
   }
   this->Pending.push_back(message);
 }

@@ -85,6 +85,8 @@ class Quads(unittest.TestCase):
         turned = crossfield.quads(shape, size=0.1, corners={"outer2": "turn"})
         self.assertEqual(turned.report["irregular"], {"5": 1})
         self.assertNotIn("layers", turned.report)
+        rows, = crossfield.quads(shape, size=0.1, layers={"outer0": (None, 1.2, 7)}).report["layers"]
+        self.assertEqual((rows["first"], rows["rows"]), (0, 7))
         self.refused("no side 'wall'", shape, layers={"wall": 1e-3})
         self.refused("semicolon", shape, layers={"a;b": 1e-3})
         self.refused("give end, turn or leave", shape, corners={(1, 1): "stay"})

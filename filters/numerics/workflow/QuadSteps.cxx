@@ -22,7 +22,7 @@ namespace crossfield
 namespace
 {
 /// Part of a side on which the first height of its layer must hold for there to be no warning.
-constexpr double EnoughInBounds = 0.95;
+constexpr double EnoughInBounds = 0.9;
 
 /// Adds the seconds of its scope to a number, also if an exception leaves it.
 class ScopedSeconds

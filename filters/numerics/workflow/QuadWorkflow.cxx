@@ -93,8 +93,8 @@ bool HasValidQuads(const Outcome<QuadWorkflowResult>& outcome)
 void TryWithoutTips(const PlanarDomain& polygons, const QuadRequest& requested,
   const Progress& progress, PreparedRequest& prepared, Outcome<QuadWorkflowResult>& outcome)
 {
-  if (HasValidQuads(outcome) ||
-    (outcome.error && outcome.error->GetKind() == Error::Kind::LackOfRows))
+  if (HasValidQuads(outcome) || !requested.capCorners ||
+    (outcome.error && outcome.error->GetKind() != Error::Kind::CoarseMesh))
   {
     return;
   }
