@@ -70,6 +70,14 @@ class Drawings(ProgramTest):
             report, _ = self.accept(self.write(name, content), 1)
             self.assertIn("drawing", report)
             self.assertEqual(len(report["corners"]), 2 if name == "blunt.dat" else 1)
+        # A sharp leading edge at a straight side is a corner, and the side stays straight.
+        upper = [(i / 20, 0.4 * i / 20 * (1 - i / 20)) for i in range(20, -1, -1)]
+        rows = upper + [(i / 20, 0) for i in range(1, 21)]
+        self.write("plane.dat", "plane\n" + "".join("%.6f %.6f\n" % row for row in rows))
+        report = json.loads(self.run_program("quads", "plane.dat", "-o", "q.vtu", "--quads", "300", "--json", "-").stdout)
+        self.assertEqual(report["inverted"], 0)
+        corners = self.accept("plane.dat", 1)[0]["corners"]
+        self.assertEqual([(corner["x"], corner["y"]) for corner in corners], [(0, 0), (1, 0)])
         # Plain loops are still read as loops.
         report, _ = self.accept(self.write("square.dat", "square\n0 0\n1 0\n1 1\n0 1\n"), 1)
         self.assertNotIn("drawing", report)

@@ -15,6 +15,28 @@ namespace crossfield
 {
 namespace
 {
+/// Divides the points of a profile where the polygon turns by more than 100° at the end of a straight side,
+/// as at a sharp leading edge: a spline through this point would leave the straight side.
+std::vector<std::vector<Point>> DivideAtCorners(const std::vector<Point>& points)
+{
+  constexpr double LargestTurn = 100.0 * Pi / 180.0;
+  constexpr double Straight = Pi / 180.0;
+  const auto turnAt = [&](std::size_t i)
+  { return std::abs(AngleBetween(points[i] - points[i - 1], points[i + 1] - points[i])); };
+  std::vector<std::vector<Point>> parts = { { points.front() } };
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    parts.back().push_back(points[i]);
+    const bool isInside = i > 1 && i + 2 < points.size();
+    if (isInside && turnAt(i) > LargestTurn &&
+      (turnAt(i - 1) < Straight || turnAt(i + 1) < Straight))
+    {
+      parts.push_back({ points[i] });
+    }
+  }
+  return parts;
+}
+
 /// Returns the numbers that a line consists of, separated by blanks or commas; none if it has a text.
 std::vector<double> NumbersOf(std::string_view line)
 {
@@ -196,15 +218,18 @@ Drawing ReadAerofoil(std::string_view text, const std::string& file)
   const Point start = points[1] - first;
   const Point stop = last - points[points.size() - 2];
   const bool isSmooth = first == last && std::abs(AngleBetween(stop, start)) < DefaultCornerAngle;
-  DrawingPiece profile = ThroughPoints(points, isSmooth);
-  profile.origin = "the profile";
   Drawing drawing;
   const std::string leftOut = DescribeLeftOut(*rows, file);
   if (!leftOut.empty())
   {
     drawing.warnings.push_back(leftOut);
   }
-  drawing.pieces.push_back(profile);
+  for (const std::vector<Point>& part :
+    isSmooth ? std::vector<std::vector<Point>>{ points } : DivideAtCorners(points))
+  {
+    drawing.pieces.push_back(ThroughPoints(part, isSmooth));
+    drawing.pieces.back().origin = "the profile";
+  }
   double chord = 0.0;
   for (const Point& point : points)
   {
