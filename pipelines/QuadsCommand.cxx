@@ -357,9 +357,9 @@ void AddQuadsCommand(CLI::App& app, int& status)
     "about 1.5 quads apart");
   command
     ->add_option("--layers", options->layers,
-      "boundary layer of a side, or of all holes: height of the first row, normal to the wall (empty: "
-      "that of the quads), maximum growth from row to row (default: 1.2) and number of rows (default: as "
-      "many as the growth needs); may be repeated")
+      "boundary layer of a side, or of all sides of holes for the name holes: height of the first row, "
+      "normal to the wall (empty: that of the quads), maximum growth from row to row (default: 1.2) and "
+      "number of rows (default: as many as the growth needs); may be repeated")
     ->type_name("NAME:[FIRST][,GROWTH[,ROWS]]")
     ->expected(1)
     ->take_all();

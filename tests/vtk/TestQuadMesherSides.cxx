@@ -1,5 +1,5 @@
-// Names of the boundary's sides in vtkQuadMesher and vtkBoundarySimplifier: read from cell arrays of
-// lines, alone or beside surface cells, and written to boundary edges and blocks.
+// Names of the boundary's sides in vtkQuadMesher and vtkBoundarySimplifier: read from cell arrays
+// of lines, alone or beside surface cells, and written to boundary edges and blocks.
 
 #include "support/FilterChecks.h"
 #include "vtkBoundarySimplifier.h"
@@ -307,8 +307,8 @@ TEST(QuadMesherSides, SimplifiedBoundariesKeepNames)
 
 TEST(QuadMesherSides, ThinningFollowsTheSizeOfASide)
 {
-  // Segments of length 2.1e-4: shorter than the default of 0.02/40 of the diagonal, longer than 0.02
-  // of the size.
+  // Segments of length 2.1e-4: shorter than the default of 0.02/40 of the diagonal, longer than
+  // 0.02 of the size.
   for (const double size : { 0.0, 0.004 })
   {
     vtkNew<vtkBoundarySimplifier> simplifier;

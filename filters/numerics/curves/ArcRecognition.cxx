@@ -15,11 +15,11 @@ namespace crossfield
 namespace
 {
 constexpr std::size_t FewestPoints = 5;
-/// Distance of points from their circle, relative to the diagonal of the loop, because coordinates in
-/// single precision have errors of 6e-8. The domain may be much larger than a profile in it.
+/// Distance of points from their circle, relative to the diagonal of the loop, because coordinates
+/// in single precision have errors of 6e-8. The domain may be much larger than a profile in it.
 constexpr double LargestResidual = 1e-7;
-/// The same, relative to the smallest sagitta: other smooth curves deviate more from their circles of
-/// curvature, because their curvature changes.
+/// The same, relative to the smallest sagitta: other smooth curves deviate more from their circles
+/// of curvature, because their curvature changes.
 constexpr double LargestPart = 0.01;
 constexpr double SmallestTurn = Pi / 6.0;
 
@@ -100,7 +100,8 @@ private:
     return 0;
   }
 
-  /// Returns the circle of consecutive segments if they satisfy the conditions but that of the turn.
+  /// Returns the circle of consecutive segments if they satisfy the conditions but that of the
+  /// turn.
   std::optional<PlaneCurve> Fit(std::size_t first, std::size_t segments) const
   {
     const bool isLoop = segments == this->Vertices.size();

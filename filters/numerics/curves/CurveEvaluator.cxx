@@ -123,8 +123,8 @@ void CurveEvaluator::FormBlocks()
 
 std::vector<std::size_t> CurveEvaluator::SamplesNear(const Point& place) const
 {
-  // The nearest point of the curve is within half the spacing of a sample, so that sample is at most
-  // the spacing farther away than the nearest one.
+  // The nearest point of the curve is within half the spacing of a sample, so that sample is at
+  // most the spacing farther away than the nearest one.
   double smallest = std::numeric_limits<double>::infinity();
   for (const SampleBlock& block : this->Blocks)
   {

@@ -15,8 +15,9 @@ namespace crossfield
 {
 namespace
 {
-/// Divides the points of a profile where the polygon turns by more than 100° at the end of a straight side,
-/// as at a sharp leading edge: a spline through this point would leave the straight side.
+/// Divides the points of a profile where the polygon turns by more than 100° at the end of a
+/// straight side, as at a sharp leading edge: a spline through this point would leave the straight
+/// side. A round nose of few points turns by as much, but also at the points next to it.
 std::vector<std::vector<Point>> DivideAtCorners(const std::vector<Point>& points)
 {
   constexpr double LargestTurn = 100.0 * Pi / 180.0;
@@ -37,7 +38,8 @@ std::vector<std::vector<Point>> DivideAtCorners(const std::vector<Point>& points
   return parts;
 }
 
-/// Returns the numbers that a line consists of, separated by blanks or commas; none if it has a text.
+/// Returns the numbers that a line consists of, separated by blanks or commas; none if it has a
+/// text.
 std::vector<double> NumbersOf(std::string_view line)
 {
   constexpr std::string_view Separators = " \t\r,;";
@@ -161,7 +163,8 @@ bool IsAroundLeadingEdge(const std::vector<Point>& points)
     highest->y() - lowest->y() < Thickest * chord;
 }
 
-/// Reads a file; its points lead from the trailing edge around the profile. Nothing if it is no aerofoil.
+/// Reads a file; its points lead from the trailing edge around the profile. Nothing if it is no
+/// aerofoil.
 std::optional<Rows> ReadProfile(std::string_view text)
 {
   const bool hasTitle = NumbersOf(text.substr(0, text.find('\n'))).size() < 2;

@@ -13,12 +13,13 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the factor of the first height beyond a side at a distance from its end, relative to the extent
-/// of the side: it grows by five per extent, but not at the end itself, where rows would have a kink.
+/// Returns the factor of the first height beyond a side at a distance from its end, relative to the
+/// extent of the side. It grows by five per extent far away, and has the derivative 0 at the end,
+/// as rows would have a kink there.
 double FactorBeyond(double distance)
 {
   constexpr double Growth = 5.0;
-  constexpr double Transition = 0.5;
+  constexpr double Transition = 0.5; // distance at which it grows by three quarters of this
   return 1.0 + Growth * distance * distance / (distance + Transition);
 }
 
@@ -272,12 +273,7 @@ double BandLines::LargestStep(int rows) const
     {
       continue;
     }
-    double height = 0.0;
-    for (const int side : { QuadWalk::Next(above), QuadWalk::Previous(above) })
-    {
-      height += 0.5 *
-        (this->PlaceOf(this->Walk.EndOf(side)) - this->PlaceOf(this->Walk.StartOf(side))).norm();
-    }
+    const double height = this->Walk.Height(above);
     const double below = 0.5 * (last[column] + last[(column + 1) % last.size()]);
     step = std::max({ step, height / below, below / height });
   }

@@ -48,15 +48,15 @@ private:
   double SineAtWall(std::size_t line, const Point& direction) const;
   Point PlaceOf(int point) const { return this->Layered.mesh.points[point].InPlane(); }
   bool IsEnd(std::size_t line) const;
-  /// Returns the points of a line as a curve. At a corner that rows of layers turn around, it starts
-  /// along the bisector, so that the rows are as high on both sides.
+  /// Returns the points of a line as a curve. At a corner that rows of layers turn around, it
+  /// starts along the bisector, so that the rows are as high on both sides.
   MonotoneCurve CurveOf(std::size_t line) const;
   /// Returns the arc lengths on the boundary from the start of an end line to its points.
   std::vector<double> LengthsOnBoundary(std::size_t line) const;
   /// Returns the position on the boundary at a length from the start of an end line.
   CurvePlace PlaceOnBoundary(std::size_t line, double length) const;
-  /// Returns, per line, the part of the deviation of the boundary at an end line from a smooth curve
-  /// that it takes.
+  /// Returns, per line, the part of the deviation of the boundary at an end line from a smooth
+  /// curve that it takes.
   std::vector<double> PartsOfEnd(std::size_t end) const;
 
   const LayeredMesh& Layered;

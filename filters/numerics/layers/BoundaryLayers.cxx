@@ -68,7 +68,8 @@ public:
     }
   }
 
-  /// Divides one band after the other, then those behind the lines that their rows follow beyond sides.
+  /// Divides one band after the other, then those behind the lines that their rows follow beyond
+  /// sides.
   void Divide()
   {
     for (std::size_t b = 0; b < this->Plans.size(); ++b)
@@ -257,7 +258,8 @@ private:
     return plan;
   }
 
-  /// Throws the error for a band with too few rows, unless it may have them; then returns its cause.
+  /// Throws the error for a band with too few rows, unless it may have them; then returns its
+  /// cause.
   std::string AcceptLack(const QuadBand& band, const QuadWalk& walk, int needed) const
   {
     const Error error = this->LackOf(band, walk, needed);

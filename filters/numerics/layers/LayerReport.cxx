@@ -38,13 +38,8 @@ public:
         Cross(along, this->End(opposite) - this->Start(side)));
   }
 
-  /// Returns the mean length of the sides of a quad next to a side.
-  double Height(int side) const
-  {
-    return 0.5 * (this->Length(QuadWalk::Next(side)) + this->Length(QuadWalk::Previous(side)));
-  }
-
-  /// Adds the ratios of the lengths of quads in the rows of a column to those of all their neighbours.
+  /// Adds the ratios of the quads in the rows of a column to all of their neighbours: those of
+  /// their heights above the common side.
   void AddRatios(int column, int rows, std::vector<double>& ratios) const
   {
     int side = column;
@@ -56,7 +51,7 @@ public:
         const int other = this->Walk.Twin(own);
         if (other >= 0)
         {
-          const double ratio = this->Height(own) / this->Height(other);
+          const double ratio = this->Walk.Height(own) / this->Walk.Height(other);
           ratios.push_back(std::max(ratio, 1.0 / ratio));
         }
       }
@@ -98,7 +93,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
   }
   std::vector<double> lengths(reports.size(), 0.0);
   std::vector<std::vector<double>> ratios(reports.size());
-  std::vector<std::set<int>> columns(reports.size());
+  std::vector<std::set<int>> columns(reports.size()); // whose ratios have been added
   const std::vector<int> walls = walk.OfBoundary();
   for (std::size_t e = 0; e < walls.size(); ++e)
   {
@@ -122,7 +117,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
     int side = walls[e];
     for (int row = 0; row < rows[e] && side >= 0; ++row, side = walk.Above(side))
     {
-      const double height = measurer.Height(side);
+      const double height = walk.Height(side);
       if (row > 0)
       {
         report.largestGrowth = std::max(report.largestGrowth, height / last);

@@ -21,8 +21,8 @@ struct LayerReport
   /// height.
   double partInBounds = 0.0;
   double largestGrowth = 1.0; ///< Maximum ratio of the heights of neighbouring rows of the layer.
-  /// Maximum ratio of the lengths of a quad in the rows of the layer, also beyond the end of its side, and
-  /// of any neighbour, across their common edge.
+  /// Maximum ratio of the heights above their common side of a quad in the rows of the layer, also
+  /// beyond the ends of the side, and a neighbour.
   double largestRatio = 1.0;
   double ratio99 = 1.0; ///< That ratio, exceeded by one of a hundred pairs of neighbours.
   std::string lack;     ///< Why fewer rows were replaced than the growth needs; empty otherwise.

@@ -16,7 +16,7 @@ double GrowthToFill(double length, double first, int rows);
 std::vector<double> RowEnds(double length, double first, int rows);
 
 /// Returns the number of rows of equal height that rows growing by `growth` may replace, so that
-/// the last of them is about as high as the next row outside: ⌈1/(g − 1)⌉, and 1 for g = 1, where no
-/// number is better than another.
+/// the last of them is about as high as the next row outside: ⌈1/(g − 1)⌉, and 1 for g = 1, where
+/// no number is better than another.
 int RowsToReplace(double growth);
 }

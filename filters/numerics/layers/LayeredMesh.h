@@ -11,7 +11,8 @@ namespace crossfield
 struct LayerPrescription
 {
   std::string name; ///< Of the side, for messages.
-  /// Height of the first row, a length; none: rows are the quads themselves, free of irregular nodes.
+  /// Height of the first row, a length; none: rows are the quads themselves, free of irregular
+  /// nodes.
   std::optional<double> first;
   double growth = 1.2; ///< Maximum ratio of the heights of neighbouring rows, at least 1.
   int rows = 0;        ///< Number of rows; 0: as many as the growth needs.

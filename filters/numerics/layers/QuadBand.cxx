@@ -92,20 +92,8 @@ public:
   }
 
 private:
-  /// Returns the length of a quad across a side.
-  double LengthAcross(int side) const
-  {
-    const auto length = [this](int one)
-    {
-      return (
-        this->PointOf(this->Walk.EndOf(one)).place - this->PointOf(this->Walk.StartOf(one)).place)
-        .norm();
-    };
-    return 0.5 * (length(QuadWalk::Next(side)) + length(QuadWalk::Previous(side)));
-  }
-
-  /// Sets the first row of a band behind other sides, and the heights of these. Returns whether all of
-  /// the row is behind them, free, and one of its quads higher by more than a ratio.
+  /// Sets the first row of a band behind other sides, and the heights of these. Returns whether all
+  /// of the row is behind them, free, and one of its quads higher by more than a ratio.
   bool FollowBehind(int wall, const std::set<int>& sides, double ratio, QuadBand& band)
   {
     const std::vector<int> row = this->Walk.RowThrough(wall);
@@ -116,8 +104,8 @@ private:
       {
         return false;
       }
-      const double height = this->LengthAcross(this->Walk.Twin(side));
-      largest = std::max(largest, this->LengthAcross(side) / height);
+      const double height = this->Walk.Height(this->Walk.Twin(side));
+      largest = std::max(largest, this->Walk.Height(side) / height);
       band.heights.push_back(height);
     }
     band.closed = this->Walk.Forward(row.back()) == row.front();

@@ -42,8 +42,8 @@ struct QuadBand
 /// are regular.
 std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadWalk& walk, int maximumRows);
 
-/// Returns the band of one layered edge, with a number of rows that FindBands found. Throws Error if
-/// bands that were divided since have taken them.
+/// Returns the band of one layered edge, with a number of rows that FindBands found. Throws Error
+/// if bands that were divided since have taken them.
 QuadBand FindBand(const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows);
 
 /// A band that was divided: an edge of mesh.boundary at its wall, and its number of rows.
@@ -53,9 +53,10 @@ struct DividedBand
   int rows = 0;
 };
 
-/// Returns a band behind the line that the rows of divided bands follow beyond their sides, as behind the
-/// corner of a step: on the other side of this line, where quads are higher than its first row by more than
-/// a ratio. Its first row is as high as the one on this side. Returns nothing if there is no such line.
+/// Returns a band behind the line that the rows of divided bands follow beyond their sides, as
+/// behind the corner of a step: on the other side of this line, where quads are higher than its
+/// first row by more than a ratio. Its first row is as high as the one on this side. Returns
+/// nothing if there is no such line.
 std::optional<QuadBand> FindBandBehind(const LayeredMesh& layered, const QuadWalk& walk,
   const std::vector<DividedBand>& divided, int maximumRows, double ratio);
 

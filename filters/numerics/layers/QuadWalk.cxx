@@ -48,6 +48,16 @@ std::vector<int> QuadWalk::RowThrough(int side) const
   return row;
 }
 
+double QuadWalk::Height(int side) const
+{
+  const auto length = [this](int one)
+  {
+    return (this->Mesh.points[this->EndOf(one)].place - this->Mesh.points[this->StartOf(one)].place)
+      .norm();
+  };
+  return 0.5 * (length(Next(side)) + length(Previous(side)));
+}
+
 std::vector<int> QuadWalk::OfBoundary() const
 {
   std::map<std::array<int, 2>, int> open;

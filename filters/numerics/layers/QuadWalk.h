@@ -24,11 +24,14 @@ public:
   int Forward(int side) const;
   /// Returns the previous side along a row, −1 at the boundary.
   int Backward(int side) const;
-  /// Returns the sides along the row through a side, from the boundary to the boundary or once around.
+  /// Returns the sides along the row through a side, from the boundary to the boundary or once
+  /// around.
   std::vector<int> RowThrough(int side) const;
   /// Returns the side of the quad behind, which is opposite, −1 at the boundary.
   int Above(int side) const { return this->Twin(Opposite(side)); }
 
+  /// Returns the height of a quad above a side: the mean length of the sides next to it.
+  double Height(int side) const;
   /// Returns the side of a quad on each edge of mesh.boundary.
   std::vector<int> OfBoundary() const;
 

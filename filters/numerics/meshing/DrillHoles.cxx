@@ -2,12 +2,12 @@
 
 #include "BoundarySingularities.h"
 #include "CanonicalFrame.h"
+#include "CompleteSector.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "HoleRadii.h"
 #include "MemoryBudget.h"
 #include "MeshBudget.h"
-#include "MirrorSector.h"
 #include "NarrowParts.h"
 #include "PlanarMesher.h"
 #include "TriangleChoice.h"

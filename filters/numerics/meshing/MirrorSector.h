@@ -1,7 +1,6 @@
 #pragma once
 
 #include "BoundarySymmetry.h"
-#include "TriangleMesh.h"
 
 #include <map>
 #include <optional>
@@ -32,11 +31,4 @@ struct MirrorSector
 /// can cause.
 std::optional<MirrorSector> CutMirrorSector(const PlanarDomain& domain, const SymmetryGroup& group,
   double from, const std::vector<Point>& vertices, double reach);
-
-/// Returns the mesh of the whole domain: the images of the mesh of a sector under all elements of
-/// its group, joined at the mirror lines. `marks` has the kind, id and quarter index of each loop
-/// of the domain. Its boundary and `vertices` are exactly where they were given.
-TriangleMesh CompleteSector(const MirrorSector& sector, const TriangleMesh& mesh,
-  const PlanarDomain& domain, const std::vector<Point>& vertices,
-  const std::vector<BoundaryEdge>& marks, double reach);
 }

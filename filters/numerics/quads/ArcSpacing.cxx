@@ -16,8 +16,8 @@ namespace
 /// Largest ratio of the widths of neighbouring strips, as that of the rows of layers.
 constexpr double LargestRatio = 1.2;
 
-/// The strips of quads through the edges on the arcs of a T-mesh. Edges are numbered along arcs; a strip
-/// has the number of one of its edges.
+/// The strips of quads through the edges on the arcs of a T-mesh. Edges are numbered along arcs; a
+/// strip has the number of one of its edges.
 class Strips
 {
 public:
@@ -37,7 +37,8 @@ public:
   /// Returns the strip of edge j of an arc.
   int At(std::size_t arc, int j) const { return this->Of[this->Offsets[arc] + j]; }
 
-  /// Returns factors for the widths of all strips, limited by those of the strips through some arcs.
+  /// Returns factors for the widths of all strips, limited by those of the strips through some
+  /// arcs.
   std::vector<double> Factors(const std::vector<int>& arcs) const
   {
     std::vector<double> logarithms(this->Of.size(), 0.0);
@@ -138,8 +139,8 @@ private:
   }
 
   /// Makes the mean of the factors on each arc 1, which all factors equal to 1 do, by iterative
-  /// proportional fitting. Otherwise a side of one arc and the opposite one of several would be divided
-  /// differently.
+  /// proportional fitting. Otherwise a side of one arc and the opposite one of several would be
+  /// divided differently.
   void FitToArcs(std::vector<double>& factors) const
   {
     constexpr int Rounds = 50;

@@ -291,8 +291,8 @@ private:
     }
   }
 
-  /// Stores the inner points of a lattice by Coons' formula, in the mesh from `next` on. Each column
-  /// starts at its point `first` on side 0.
+  /// Stores the inner points of a lattice by Coons' formula, in the mesh from `next` on. Each
+  /// column starts at its point `first` on side 0.
   void PlaceInnerPoints(const std::vector<SidePoint>& first, int next, PatchLattice& lattice)
   {
     const int a = lattice.columns;

@@ -108,8 +108,8 @@ public:
     const std::vector<int> prescribed = this->Graded.ArcsWithCounts();
     if (!prescribed.empty())
     {
-      // Where a large change has room on few strips only, these would become oblique; angles are those of
-      // the map elsewhere.
+      // If few strips take up a large change, their quads are sheared; otherwise angles are those
+      // of the map, and differ by less than this.
       constexpr double LargestLoss = 0.1;
       QuadMesh gradual = build(GradualSpacing(result.tMesh, counts, prescribed));
       const QuadQuality quality = MeasureQuads(gradual, result.size);

@@ -10,8 +10,8 @@
 
 namespace crossfield
 {
-/// Arcs of a T-mesh along sides that are graded or have a prescribed number or length of edges, with
-/// the positions of their ends.
+/// Arcs of a T-mesh along sides that are graded or have a prescribed number or length of edges,
+/// with the positions of their ends.
 class GradedArcs
 {
 public:
@@ -21,8 +21,8 @@ public:
   /// Replaces the target edge counts of the arcs by those of the progressions, so that the numbers
   /// of strips follow them, for the same sum along every side or the prescribed one. Without a
   /// progression, targets are multiplied so that their sum is the prescribed one, or are those of
-  /// edges of the prescribed length: the objective is linear, and to satisfy the sums alone it would
-  /// change the numbers of few arcs by much instead of those of all by little.
+  /// edges of the prescribed length: the objective is linear, and to satisfy the sums alone it
+  /// would change the numbers of few arcs by much instead of those of all by little.
   void SetTargets(std::vector<double>& targets) const;
   /// Returns the arcs with a prescribed number or length of edges and no progression.
   std::vector<int> ArcsWithCounts() const;

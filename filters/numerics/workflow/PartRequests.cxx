@@ -64,8 +64,8 @@ std::vector<std::string> NamesOfHoles(const std::vector<DomainPart>& parts)
   return names;
 }
 
-/// Replaces the items of the side `holes`, unless there is a side of this name, by items of all sides of
-/// inner loops.
+/// Replaces the items of the side `holes`, unless there is a side of this name, by items of all
+/// sides of inner loops.
 template <class Item>
 void ExpandHoles(const std::vector<DomainPart>& parts, std::vector<Item>& items)
 {

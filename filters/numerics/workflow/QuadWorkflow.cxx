@@ -88,8 +88,8 @@ bool HasValidQuads(const Outcome<QuadWorkflowResult>& outcome)
   return outcome.value && outcome.value->quads.quality.inverted == 0;
 }
 
-/// Makes quads of a domain with its sharp tips cut off, if the outcome so far has no valid quads and this
-/// leads to some.
+/// Makes quads of a domain with its sharp tips cut off, if the outcome so far has no valid quads
+/// and this leads to some.
 void TryWithoutTips(const PlanarDomain& polygons, const QuadRequest& requested,
   const Progress& progress, PreparedRequest& prepared, Outcome<QuadWorkflowResult>& outcome)
 {
@@ -152,7 +152,8 @@ QuadWorkflowResult MakeQuadMesh(
     {
       kept.insert(kept.end(), domain.loops[l].begin(), domain.loops[l].end());
     }
-    // Not for given singularities, which the attempts have moved already: four more runs take minutes.
+    // Not for given singularities, which the attempts have moved already: four more runs take
+    // minutes.
     const double length = request.singularities
       ? 0.0
       : FindSmoothing(domain, kept,

@@ -14,8 +14,8 @@ namespace crossfield
 {
 namespace
 {
-/// Corners below this angle, 45°, are cut off. They are the very sharp ones: the quarter index with the
-/// smallest rotation is 2, and a quad in them is far from a square.
+/// Corners below this angle, 45°, are cut off. They are the very sharp ones: the quarter index with
+/// the smallest rotation is 2, and a quad in them is far from a square.
 constexpr double SharpTip = Pi / 4.0;
 
 /// Cuts corners of the loops of a domain.

@@ -15,9 +15,9 @@ struct CutDomain
   std::string warning; ///< Sentence that says where corners were cut off.
 };
 
-/// Cuts off corners below 45°: the boundary within a length of the corner on both sides, measured along
-/// it, is replaced by an edge whose ends are on the curves of the domain. Corners with a prescribed
-/// quarter index stay. Returns nothing if there is no such corner.
+/// Cuts off corners below 45°: the boundary within a length of the corner on both sides, measured
+/// along it, is replaced by an edge whose ends are on the curves of the domain. Corners with a
+/// prescribed quarter index stay. Returns nothing if there is no such corner.
 std::optional<CutDomain> CutSharpTips(
   const PlanarDomain& domain, const QuadRequest& request, double length);
 }

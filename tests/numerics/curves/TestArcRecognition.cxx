@@ -71,8 +71,8 @@ Drawing RandomDrawing(unsigned int seed)
   return drawing;
 }
 
-/// Returns the points of a NACA profile of four digits, `count` on each side, from the trailing edge
-/// over the lower side to the nose and back.
+/// Returns the points of a NACA profile of four digits, `count` on each side, from the trailing
+/// edge over the lower side to the nose and back.
 Loop Profile(double camber, double place, double thickness, int count, bool isBlunt)
 {
   Loop upper;

@@ -268,7 +268,8 @@ TEST(BoundaryLayers, ChosenSingularitiesLeaveRoom)
   EXPECT_EQ(result.quads.quality.inverted, 0);
 }
 
-/// Returns a profile of sharp trailing edge (NACA 0012), from the trailing edge over the upper side.
+/// Returns a profile of sharp trailing edge (NACA 0012), from the trailing edge over the upper
+/// side.
 Loop Profile(int pieces)
 {
   Loop loop;
@@ -326,8 +327,8 @@ TEST(BoundaryLayers, OfAProfileGiveACGrid)
   EXPECT_LE(report.largestGrowth, 1.2);
   EXPECT_LE(report.largestRatio, 2.0);
   ExpectSoundBlocks(result.quads);
-  // The wake: along the line behind the trailing edge, the first row becomes higher with the distance
-  // from it, relative to the chord of length 1.
+  // The wake: along the line behind the trailing edge, the first row becomes higher with the
+  // distance from it, relative to the chord of length 1.
   const QuadMesh& mesh = result.quads.mesh;
   int compared = 0;
   for (const std::array<int, 4>& quad : mesh.quads)

@@ -147,8 +147,8 @@ std::map<int, int> RequestedOf(const QuadWorkflowResult& result)
   return requested;
 }
 
-/// Measures the heights of the first rows independently of LayerReport: distances of the points next
-/// to the wall from the edges of its side. Returns the part of them that is within 5 %.
+/// Measures the heights of the first rows independently of LayerReport: distances of the points
+/// next to the wall from the edges of its side. Returns the part of them that is within 5 %.
 double PartWithin(const QuadWorkflowResult& result, const std::vector<SideRequest>& layers)
 {
   const QuadMesh& mesh = result.quads.mesh;
@@ -191,8 +191,8 @@ double PartWithin(const QuadWorkflowResult& result, const std::vector<SideReques
   return static_cast<double>(within) / all;
 }
 
-/// CROSSFIELD_LAYER_CASES sets the number of parts, CROSSFIELD_LAYER_FIRST the first one; with one of
-/// them each result is printed.
+/// CROSSFIELD_LAYER_CASES sets the number of parts, CROSSFIELD_LAYER_FIRST the first one; with one
+/// of them each result is printed.
 TEST(LayerProperties, HoldOnRandomParts)
 {
   const char* requested = std::getenv("CROSSFIELD_LAYER_CASES");

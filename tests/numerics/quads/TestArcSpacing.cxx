@@ -64,7 +64,8 @@ TEST(ArcSpacing, IsEqualWhereNumbersAreThoseOfTheMap)
 
 TEST(ArcSpacing, WidthsGrowFromAPrescribedArc)
 {
-  // An L: the strips that end on the lower side of the foot are four times as narrow as the map has them.
+  // An L: the strips that end on the lower side of the foot are four times as narrow as the map has
+  // them.
   const PlanarDomain domain =
     MakePlanarDomain({ { { 0, 0 }, { 4, 0 }, { 4, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } });
   const TMesh mesh = LinesOf(domain, {}, 0.1);

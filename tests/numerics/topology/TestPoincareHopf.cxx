@@ -57,8 +57,8 @@ TEST(PoincareHopf, SmallestRotationKeepsTheCrossAligned)
     EXPECT_LE(std::abs(rotation), 0.25 * Pi);
     EXPECT_NEAR(std::remainder(turning - rotation, 0.5 * Pi), 0.0, 1e-14);
   }
-  // Eighth turns are smooth, and three of them to either side give the same rotation, also with rounding to single
-  // precision.
+  // Eighth turns are smooth, and three of them to either side give the same rotation, also with
+  // rounding to single precision.
   for (const double rounding : { -1e-6, -1e-15, 0.0, 1e-15, 1e-6 })
   {
     for (const double eighth : { -0.25 * Pi, 0.25 * Pi })

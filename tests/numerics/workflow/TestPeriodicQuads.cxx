@@ -16,7 +16,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// A domain with sides 'a' and 'b' that are images of each other, and 'low' and 'high' between them.
+/// A domain with sides 'a' and 'b' that are images of each other, and 'low' and 'high' between
+/// them.
 struct PeriodicDomain
 {
   PlanarDomain domain;
@@ -354,8 +355,8 @@ TEST(PeriodicQuads, MatchWithFewBlocks)
   }
 }
 
-/// Strips of quads lead from the left side to both the right side and the one above it, so the left and the
-/// right side cannot have equal numbers.
+/// Strips of quads lead from the left side to both the right side and the one above it, so the left
+/// and the right side cannot have equal numbers.
 TEST(PeriodicQuads, NamePairsThatFitNoMesh)
 {
   const PlanarDomain domain =
@@ -366,7 +367,8 @@ TEST(PeriodicQuads, NamePairsThatFitNoMesh)
   request.sideRequests = { PartnerOf("outer5", "outer1") };
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(domain, request); },
     { "The periodic pair outer5:outer1 fits no mesh of these singularities; leave it out." }));
-  // of a straight L-shape with both sides of length 1 paired, the side of length 2 has an even number
+  // of a straight L-shape with both sides of length 1 paired, the side of length 2 has an even
+  // number
   const PlanarDomain shape =
     MakePlanarDomain({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } });
   request.sides = NameSides(shape);

@@ -13,7 +13,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// Returns the inside of a profile with a cusp at (1, 0): y² = x (1 − x)³ / 50, vertices dense there.
+/// Returns the inside of a profile with a cusp at (1, 0): y² = x (1 − x)³ / 50, vertices dense
+/// there.
 PlanarDomain Cusp()
 {
   constexpr int Count = 80;
