@@ -57,6 +57,7 @@ struct QuadsOptions
   bool countIsGiven = false;
   std::vector<std::string> sizing = { "auto" };
   int merge = vtkQuadMesher::MergeNone;
+  int prefer = vtkQuadMesher::PreferEnergy;
   double clearance = 0.0;
   int pairs = 0;
   bool capCorners = true;
@@ -163,6 +164,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetSideNameArray(options.boundary.names);
   options.sides.SetOn(mesher);
   mesher->SetMerge(options.merge);
+  mesher->SetPrefer(options.prefer);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
   mesher->SetHoldSingularities(options.hold);
@@ -332,6 +334,17 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "--coarse", [options] { options->merge = vtkQuadMesher::MergeCoarse; },
       "short for --merge coarse")
     ->excludes(merge);
+  const std::vector<std::pair<std::string, int>> preferences = {
+    { "nodes", vtkQuadMesher::PreferNodes }, { "blocks", vtkQuadMesher::PreferBlocks },
+    { "uniform", vtkQuadMesher::PreferUniform }
+  };
+  command
+    ->add_option("--prefer", options->prefer,
+      "what matters most where several configurations of singularities are chosen and each has quads "
+      "as good: few irregular nodes, few blocks, or uniform sizes; default: low energy and "
+      "symmetry")
+    ->transform(NumberCheck::Word(preferences))
+    ->type_name("WORD");
   command
     ->add_option("--mesh-size", options->meshSize,
       "target edge length of the triangles on which the map is computed, positive; default: 1/40 of "

@@ -27,6 +27,8 @@ Progression = Union[float, tuple[float, float], tuple[str, float], tuple[str, fl
 
 _SIZINGS = {"auto": vtkQuadMesher.SizingAutomatic, "conformal": vtkQuadMesher.SizingConformal,
             "uniform": vtkQuadMesher.SizingUniform, "field": vtkQuadMesher.SizingField}
+_PREFERENCES = {"nodes": vtkQuadMesher.PreferNodes, "blocks": vtkQuadMesher.PreferBlocks,
+                "uniform": vtkQuadMesher.PreferUniform}
 _MERGES = {"none": vtkQuadMesher.MergeNone, "clean": vtkQuadMesher.MergeClean,
            "coarse": vtkQuadMesher.MergeCoarse}
 
@@ -231,6 +233,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities, CornerRows] = None, cap_corners: bool = True,
           sizing: str = "auto", size_array: Optional[str] = None, merge: str = "none", hold: bool = False,
+          prefer: Optional[str] = None, alternative: int = 0,
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
@@ -258,6 +261,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     merge          separatrices that nearly meet: "none" keeps them apart; "clean" moves singularities until they
                    meet, as far as the quads stay as good; "coarse" merges them in place, for the fewest
                    blocks whose worst quad is at least half as good
+    prefer         what matters most where several configurations of singularities are chosen and each has quads as
+                   good: "nodes" (few irregular ones), "blocks" (few) or "uniform" (sizes); default: low energy and
+                   symmetry
+    alternative    which of them is used: 0 is the preferred one, and report["alternatives"] lists all
     hold           keeps the nodes of given singularities where these are; otherwise they move where shapes or sizes
                    are poor without this, and report["moves"] lists their moves
     repair_holonomy
@@ -316,6 +323,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         raise Error("There is no sizing '%s'; choose %s." % (sizing, ", ".join(_SIZINGS)))
     if merge not in _MERGES:
         raise Error("There is no merge '%s'; choose %s." % (merge, ", ".join(_MERGES)))
+    if prefer is not None and prefer not in _PREFERENCES:
+        raise Error("There is no preference '%s'; choose %s." % (prefer, ", ".join(_PREFERENCES)))
     if (sizing == "field") != (size_array is not None):
         raise Error("The sizing 'field' and the name size_array go together; give both or none.")
     if sizing == "field" and size is not None:
@@ -343,6 +352,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetMinimumSize(checked(min_size))
     mesher.SetMaximumSize(checked(max_size))
     mesher.SetMerge(_MERGES[merge])
+    if prefer is not None:
+        mesher.SetPrefer(_PREFERENCES[prefer])
+    mesher.SetAlternative(whole(alternative, "alternative"))
     mesher.SetHoldSingularities(hold)
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetRepairPart(repair_part)

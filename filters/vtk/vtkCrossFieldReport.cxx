@@ -260,6 +260,9 @@ public:
     this->Add(
       { names::IntegerVariables, names::IntegerOptimal, names::IntegerGap }, "integers", "Integer");
     this->AddColumns("attempts", "Attempts", { { "", names::Attempts, { "what", "outcome" } } });
+    this->AddColumns("alternatives", "Alternative",
+      { names::AlternativeNodes, names::AlternativeBlocks, names::AlternativeScaledJacobian,
+        names::AlternativeSizeVariation });
     this->AddColumns("sides", "Side",
       { { "name", names::SideNames }, names::SideEdges, { "length", names::SideLengths } });
     this->AddColumns("layers", "Layer",

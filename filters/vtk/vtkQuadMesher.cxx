@@ -147,6 +147,11 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.repairPart = this->RepairPart;
   request.split = this->SplitSingularities;
   request.merge = static_cast<crossfield::BlockMerge>(this->Merge);
+  if (this->Prefer != PreferEnergy)
+  {
+    request.preference = static_cast<crossfield::MeshPreference>(this->Prefer - PreferNodes);
+  }
+  request.alternative = this->Alternative;
   return request;
 }
 
@@ -242,6 +247,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   EnergyConversion::WriteEvents(result.events, summary);
   EnergyConversion::WriteWarnings(result.warnings, summary);
   QuadReport::WriteAttempts(result.attempts, report);
+  QuadReport::WriteAlternatives(result.alternatives, report);
   ViewText::Write(vtkCrossFieldArrayNames::Summary,
     ViewText::WrapLines(QuadReport::Summary(result)),
     result.quads.quality.inverted > 0 || !result.warnings.empty(), summary);
@@ -301,6 +307,8 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumSize: " << this->MaximumSize << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "Merge: " << this->Merge << "\n";
+  os << indent << "Prefer: " << this->Prefer << "\n";
+  os << indent << "Alternative: " << this->Alternative << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";

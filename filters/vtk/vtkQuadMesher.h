@@ -86,7 +86,10 @@
  * `PeriodicMismatch` (largest distance of a node from the image of its partner),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
- * `Warnings` (one sentence each), `Attempts` (2 texts each: what was tried, and its outcome), and `AmbiguousCorners` (number of corners within 1° of a tie between two quarter
+ * `Warnings` (one sentence each), `Attempts` (2 texts each: what was tried, and its outcome),
+ * `AlternativeNodes`, `AlternativeBlocks`, `AlternativeScaledJacobian` and
+ * `AlternativeSizeVariation` (one tuple for each of several configurations that were chosen, the preferred one
+ * first), and `AmbiguousCorners` (number of corners within 1° of a tie between two quarter
  * indices, if there are any).
  *
  * An empty domain gives empty outputs. Failure, with outputs that are empty except for the text: as
@@ -264,6 +267,33 @@ public:
   void SetMergeToNone() { this->SetMerge(MergeNone); }
   void SetMergeToClean() { this->SetMerge(MergeClean); }
   void SetMergeToCoarse() { this->SetMerge(MergeCoarse); }
+  ///@}
+
+  enum PreferMode
+  {
+    PreferEnergy = 0,
+    PreferNodes = 1,
+    PreferBlocks = 2,
+    PreferUniform = 3
+  };
+
+  ///@{
+  /**
+   * Selects what matters most where several configurations of singularities are chosen and each has
+   * quads as good: a low energy and symmetry (PreferEnergy), few irregular nodes (PreferNodes),
+   * few blocks (PreferBlocks), or quads of one size (PreferUniform). Default: PreferEnergy.
+   */
+  vtkSetClampMacro(Prefer, int, PreferEnergy, PreferUniform);
+  vtkGetMacro(Prefer, int);
+  ///@}
+
+  ///@{
+  /**
+   * Selects one of these configurations: 0 is the preferred one, and the others follow in the order of the
+   * columns `Alternative*` of the summary. A number that is too large selects the last. Default: 0.
+   */
+  vtkSetClampMacro(Alternative, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Alternative, int);
   ///@}
 
   ///@{
@@ -451,6 +481,8 @@ private:
   double MaximumSize = 0.0;
   int Pairs = 0;
   int Merge = MergeNone;
+  int Prefer = PreferEnergy;
+  int Alternative = 0;
   double MeshSize = 0.0;
   double Clearance = 0.0;
   bool CapCorners = true;

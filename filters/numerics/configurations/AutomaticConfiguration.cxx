@@ -1,6 +1,8 @@
 #include "AutomaticConfiguration.h"
 
 #include "DrillHoles.h"
+#include "Error.h"
+#include "LoopGap.h"
 #include "MeshBudget.h"
 #include "OptimizerReport.h"
 #include "OptimizerStage.h"
@@ -84,26 +86,26 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
   // Smaller defects may be artefacts of the mesh.
   const double defect = std::max(LargestDefect(one), NoticeableDefect);
   const double otherDefect = std::max(LargestDefect(other), NoticeableDefect);
-  return std::make_tuple(defect, one.rankingEnergy) <
-    std::make_tuple(otherDefect, other.rankingEnergy);
+  return std::make_tuple(defect, one.objective) <
+    std::make_tuple(otherDefect, other.objective);
 }
 
-/// Returns whether a start has less energy than a minimum, by more than the error of the meshes:
+/// Returns whether a start has a lower objective than a minimum, by more than the error of the meshes:
 /// the start that was best may have had a defect, which cost energy to remove. A start with a
 /// defect promises nothing.
 bool PromisesMore(const ProposedConfiguration& start, const OptimizerResult& minimum)
 {
   constexpr double MeshError = 1e-2;
   return start.holonomyDefect < NoticeableDefect &&
-    start.energy < minimum.rankingEnergy - MeshError * (1.0 + std::abs(minimum.rankingEnergy));
+    start.objective < minimum.objective - MeshError * (1.0 + std::abs(minimum.objective));
 }
 
-/// Returns whether a start is so far above the energy of a result that its own run would use up the
+/// Returns whether a start is so far above the objective of a result that its own run would use up the
 /// solves before it reaches it: by more than one core energy, 2π, for each singularity.
 bool IsFarAbove(const ProposedConfiguration& start, const OptimizerResult& result)
 {
-  return start.energy >
-    result.rankingEnergy + 2.0 * Pi * static_cast<double>(start.singularities.size());
+  return start.objective >
+    result.objective + 2.0 * Pi * static_cast<double>(start.singularities.size());
 }
 
 /// Returns the size of the quads for which singularities are chosen, 0 if no quads will be made.
@@ -119,6 +121,22 @@ double RequestedClearance(const PlanarDomain& domain, const AutomaticOptions& op
 {
   return options.optimizer.clearance != 0.0 ? options.optimizer.clearance
                                             : ClearanceForQuads(ResolveQuadSize(domain, options));
+}
+
+ClearanceFactors LargerFactors(ClearanceFactors one, const ClearanceFactors& other)
+{
+  if (one.empty())
+  {
+    return other;
+  }
+  for (std::size_t l = 0; l < one.size(); ++l)
+  {
+    for (std::size_t i = 0; i < one[l].size(); ++i)
+    {
+      one[l][i] = std::max(one[l][i], other[l][i]);
+    }
+  }
+  return one;
 }
 
 /// Adds the events of the last run.
@@ -175,7 +193,7 @@ void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options,
   }
   // Sizes that differ by so much more are not seen in a mesh.
   constexpr double SameSpread = 0.02;
-  const double rise = tried.rankingEnergy - result.optimum.rankingEnergy;
+  const double rise = tried.coreEnergy - result.optimum.coreEnergy;
   const bool isBetter =
     HasConvergedWithoutDefect(tried) >= HasConvergedWithoutDefect(result.optimum) &&
     tried.sizeSpread <= result.optimum.sizeSpread + SameSpread &&
@@ -205,16 +223,26 @@ std::optional<std::size_t> SolvesLeft(std::size_t limit, std::size_t made)
 }
 
 /// Continues the optimisation from the minimum of the energy with the clearance for quads, towards
-/// the target sizes if there are any, or towards uniform sizes if the sizes are far from uniform.
-void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
-  const Progress& progress, AutomaticConfiguration& result)
+/// the target sizes if there are any, or towards uniform sizes if the sizes are far from uniform
+/// and `movesForSizes`. Returns whether it was for the latter.
+bool FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
+  double quadsAtHoles, bool movesForSizes, const Progress& progress,
+  AutomaticConfiguration& result)
 {
   OptimizerOptions fit = options.optimizer;
   fit.corners = result.corners;
   fit.clearance = clearance;
+  if (options.optimizer.clearance == 0.0)
+  {
+    const ClearanceFactors atHoles =
+      ClearanceAtHoles(domain, ResolveQuadSize(domain, options), quadsAtHoles);
+    fit.clearanceFactors = LargerFactors(fit.clearanceFactors, atHoles);
+  }
   fit.keepAll = true;
   fit.maximumSolves = options.maximumSolves / 2;
-  if (fit.sizes.sizing == Sizing::Conformal && result.optimum.sizeSpread > options.acceptedSpread)
+  const bool isUneven = fit.sizes.sizing == Sizing::Conformal && movesForSizes &&
+    result.optimum.sizeSpread > options.acceptedSpread;
+  if (isUneven)
   {
     fit.sizes.sizing = Sizing::Uniform;
   }
@@ -238,6 +266,109 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
       FormatShort(result.optimum.sizeSpread) +
       "; pairs of singularities (Pairs, --pairs) may make them more uniform.");
   }
+  if (options.proposal.given.empty())
+  {
+    // The energy is flat within a quarter of a quad, and the error of the mesh decides on which
+    // side of the symmetric position its minimum is.
+    MakeSymmetric(
+      domain, FindSymmetries(domain), 0.25 * ResolveQuadSize(domain, options), result.singularities);
+  }
+  return isUneven;
+}
+
+/// Returns whether two configurations for the same domain differ in a number of indices.
+bool DifferInCounts(const Configuration& one, const Configuration& other)
+{
+  const auto counts = [](const Configuration& configuration)
+  {
+    std::map<int, int> found;
+    for (const Singularity& singularity : configuration)
+    {
+      ++found[singularity.quarterIndex];
+    }
+    return found;
+  };
+  return counts(one) != counts(other);
+}
+
+/// Fits other configurations to quads: `minimum`, which is the best one before it was fitted, in
+/// other ways, and starts with other numbers of singularities.
+std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
+  const AutomaticOptions& options, double clearance, const std::vector<ProposedConfiguration>& starts,
+  const AutomaticConfiguration& minimum, const AutomaticConfiguration& best, bool isUneven,
+  const Progress& progress)
+{
+  // A minimum with a higher objective by more has hardly ever a better mesh.
+  constexpr double LargestRise = 12.0;
+  struct Candidate
+  {
+    AutomaticConfiguration configuration;
+    double quadsAtHoles = UsualQuadsAtHoles;
+    bool movesForSizes = false;
+  };
+  std::vector<Candidate> candidates;
+  if (isUneven)
+  {
+    candidates.push_back({ minimum });
+  }
+  if (options.optimizer.clearance == 0.0 && domain.loops.size() > 1)
+  {
+    // Distances with which there are fewer blocks, or better shapes, in some parts.
+    candidates.push_back({ minimum, 0.0, true });
+    candidates.push_back({ minimum, 2.5, true });
+  }
+  int rank = 0;
+  for (const ProposedConfiguration& start : starts)
+  {
+    const bool isNew = DifferInCounts(start.singularities, minimum.singularities) &&
+      std::none_of(candidates.begin(), candidates.end(),
+        [&](const Candidate& other) {
+          return !DifferInCounts(start.singularities, other.configuration.singularities);
+        });
+    if (isNew && start.objective < minimum.optimum.objective + LargestRise &&
+      start.holonomyDefect < NoticeableDefect)
+    {
+      AutomaticConfiguration other;
+      other.singularities = start.singularities;
+      other.corners = start.corners;
+      other.optimum.sizeSpread = start.sizeSpread;
+      other.events = { DescribeChoice(other.singularities) + " Start: " + start.origin + "." };
+      other.rank = ++rank;
+      candidates.push_back({ std::move(other) });
+    }
+  }
+  candidates.erase(candidates.begin() +
+      static_cast<std::ptrdiff_t>(std::min(candidates.size(), options.finalists - 1)),
+    candidates.end());
+  const double seen = 0.05 * ResolveQuadSize(domain, options);
+  std::vector<AutomaticConfiguration> others;
+  const auto isSame = [&](const AutomaticConfiguration& one, const AutomaticConfiguration& other)
+  {
+    return std::equal(one.singularities.begin(), one.singularities.end(),
+      other.singularities.begin(), other.singularities.end(),
+      [&](const Singularity& a, const Singularity& b)
+      {
+        return a.quarterIndex == b.quarterIndex && (a.position - b.position).norm() < seen;
+      });
+  };
+  for (auto& [other, quadsAtHoles, movesForSizes] : candidates)
+  {
+    try
+    {
+      FitToQuads(domain, options, clearance, quadsAtHoles, movesForSizes, progress, other);
+      if (!isSame(other, best) &&
+        std::none_of(others.begin(), others.end(),
+          [&](const AutomaticConfiguration& known) { return isSame(known, other); }))
+      {
+        others.push_back(std::move(other));
+      }
+    }
+    catch (const Error&)
+    {
+      // It does not exist with this clearance; the best one does.
+    }
+  }
+  return others;
 }
 }
 
@@ -245,6 +376,20 @@ double ClearanceForQuads(double quadSize)
 {
   // The meshes of the gallery have their best shapes at 0.7 to 1.
   return 0.7 * quadSize;
+}
+
+ClearanceFactors ClearanceAtHoles(const PlanarDomain& domain, double quadSize, double quads)
+{
+  const double least = ClearanceForQuads(quadSize);
+  ClearanceFactors factors;
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
+  {
+    const double distance = l == 0
+      ? 0.0
+      : std::min(quads * quadSize, 0.5 * GapAround(domain, l) - quadSize);
+    factors.emplace_back(domain.loops[l].size(), std::max(1.0, distance / least));
+  }
+  return factors;
 }
 
 void CapCorners(const PlanarDomain& domain, AutomaticOptions& options)
@@ -334,14 +479,17 @@ AutomaticConfiguration ChooseConfiguration(
   }
   if (fits && !best.optimum.aborted)
   {
-    FitToQuads(domain, options, clearance, progress.Part(0.85, 1.0), best);
-  }
-  if (options.proposal.given.empty())
-  {
-    // The energy is flat within a quarter of a quad, and the error of the mesh decides on which
-    // side of the symmetric position its minimum is.
-    MakeSymmetric(
-      domain, FindSymmetries(domain), 0.25 * ResolveQuadSize(domain, options), best.singularities);
+    const AutomaticConfiguration unfitted = best;
+    const bool isUneven =
+      FitToQuads(domain, options, clearance, UsualQuadsAtHoles, true, progress.Part(0.85, 0.95), best);
+    // The more there are, the less configurations differ, and the longer each takes.
+    constexpr std::size_t ManySingularities = 60;
+    if (options.finalists > 1 && !best.optimum.aborted &&
+      best.singularities.size() <= ManySingularities)
+    {
+      best.others = FitOthers(
+        domain, options, clearance, starts, unfitted, best, isUneven, progress.Part(0.95, 1.0));
+    }
   }
   return best;
 }

@@ -24,11 +24,22 @@ struct AutomaticOptions
   /// Maximum number of solves (SolveBudget.h) of the runs from all starts together, 0 for any
   /// number. The run that follows for quads may take half as many.
   std::size_t maximumSolves = 2000;
+  /// Maximum number of configurations for quads that are returned, the best and others.
+  std::size_t finalists = 1;
 };
 
 /// Returns the recommended clearance of singularities for quads of a size: 0.7 of it
 /// (docs/method.md §5.6).
 double ClearanceForQuads(double quadSize);
+
+/// Number of quads between the boundary of a hole and singularities, where there is room
+/// (docs/method.md §5.6).
+constexpr double UsualQuadsAtHoles = 1.5;
+
+/// Returns the factors of ClearanceForQuads at the sides of inner loops with room for more: up to a
+/// number of quads, and at most one quad less than half of the gap to the nearest other loop.
+ClearanceFactors ClearanceAtHoles(
+  const PlanarDomain& domain, double quadSize, double quads = UsualQuadsAtHoles);
 
 /// Gives quarter index 1 to sharp corners of index 2 (PoincareHopf.h). If there are any, sets
 /// keepAll: a singularity that moved into such a corner would undo the change.
@@ -42,12 +53,16 @@ struct AutomaticConfiguration
   OptimizerResult optimum;           ///< The last run.
   /// Decisions and events, one sentence each.
   std::vector<std::string> events;
+  int rank = 0; ///< Of its objective: 0 for the best, wherever its singularities are.
+  /// Others for the same quads, if AutomaticOptions::finalists permits: the same singularities where
+  /// they have not moved for uniform sizes, nearer to holes and farther away, and other minima.
+  std::vector<AutomaticConfiguration> others;
 };
 
 /// Chooses the singularities of a domain: proposes starts (ConfigurationProposal.h) and moves their
 /// interior singularities to a minimum of the renormalised energy (SingularityOptimizer.h), from
 /// one start after the other until a run converges without a holonomy defect. After that, only starts
-/// are tried whose energy is below that of the result; the order is that of CompareConfigurations.
+/// are tried whose objective is below that of the result.
 /// If no run converges, the one with the smallest defect is used, and among those without a defect
 /// the one with the lowest energy; this is no error: optimum.converged is false, and the last event
 /// gives the reason.

@@ -6,7 +6,6 @@
 #include "EnergyMesh.h"
 #include "Error.h"
 #include "MeshForPoints.h"
-#include "OptimizerStage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@ namespace crossfield
 {
 double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain)
 {
-  return coreRadius > 0.0 ? coreRadius : RankingRadius(domain);
+  return coreRadius > 0.0 ? coreRadius : domain.Diagonal() / 100.0;
 }
 
 namespace

@@ -31,8 +31,8 @@ struct ConfigurationEnergyOptions
   double coreRadius = 0.0; ///< As in ResolveCoreRadius.
 };
 
-/// Returns the core radius at which configurations with different Σ k² are compared, a length. 0
-/// stands for the RankingRadius, 1/100 of the diagonal.
+/// Returns the core radius at which energies are reported, a length. 0 stands for 1/100 of the
+/// diagonal: the error o(1) of the energy is small there.
 double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain);
 
 /// Computes the energies of configurations on a domain, sorted by the energy at the core radius ρ,

@@ -46,9 +46,9 @@ public:
     return this->Prepare(proposal, this->IsFree ? Steps : 0, progress);
   }
 
-  /// Returns the energy of a start above which it is not improved: if it would have to lower its
-  /// energy by more than one core energy, 2π, for each of at most 48 singularities to reach the
-  /// lowest energy of the others. Many singularities are slow to improve, and another start has
+  /// Returns the objective of a start above which it is not improved: if it would have to lower it
+  /// by more than one core energy, 2π, for each of at most 48 singularities to reach the lowest of
+  /// the others. Many singularities are slow to improve, and another start has
   /// found their places.
   static double MaximumStart(const ProposedConfiguration& proposal, double lowest)
   {
@@ -57,12 +57,12 @@ public:
       2.0 * Pi * static_cast<double>(std::min(proposal.singularities.size(), ManySingularities));
   }
 
-  /// Evaluates a proposal. Returns the highest energy of the starts of its runs: with a bound that
+  /// Evaluates a proposal. Returns the highest objective of the starts of its runs: with a bound that
   /// is not below it, the result would be the same. Throws Aborted.
   double Evaluate(PreparedOptimization& prepared, double maximumStart, const Progress& progress,
     ProposedConfiguration& proposal) const
   {
-    double highestStart = prepared.StartEnergy();
+    double highestStart = prepared.StartObjective();
     OptimizerResult trial = Run(prepared, maximumStart, progress.Part(0.0, 0.8));
     proposal.singularities = trial.configuration;
     if (this->IsFree)
@@ -73,7 +73,7 @@ public:
             this->Domain, this->Symmetries, 0.02 * this->Domain.Diagonal(), proposal.singularities))
       {
         const auto symmetric = this->Prepare(proposal, 0, progress.Part(0.8, 1.0));
-        highestStart = std::max(highestStart, symmetric->StartEnergy());
+        highestStart = std::max(highestStart, symmetric->StartObjective());
         trial = Run(*symmetric, maximumStart, progress.Part(0.8, 1.0));
       }
     }
@@ -83,6 +83,7 @@ public:
     proposal.energy = proposal.renormalized -
       proposal.logarithmCoefficient * std::log(this->Radius) +
       CoreOverlapEnergy(proposal.singularities, this->Radius);
+    proposal.objective = trial.objective;
     proposal.sizeSpread = trial.sizeSpread;
     for (const double defect : trial.holonomyDefect)
     {
@@ -121,7 +122,7 @@ private:
   bool IsFree;
 };
 
-/// Evaluates proposals in their order; the lowest energy so far bounds the starts of the next ones.
+/// Evaluates proposals in their order; the lowest objective so far bounds the starts of the next ones.
 /// With several threads, as many proposals are prepared at the same time, and those that seem to be
 /// below the bound are evaluated ahead. If the bound turns out to be lower than the start of one,
 /// it is evaluated again, so the result is the same with any number of threads.
@@ -158,7 +159,7 @@ void EvaluateAll(const ProposalEvaluation& evaluation, const Progress& progress,
     for (std::size_t i = 0; i < count && count > 1; ++i)
     {
       const ProposedConfiguration& proposal = proposals[begin + i];
-      const double start = prepared[i]->StartEnergy();
+      const double start = prepared[i]->StartObjective();
       if (start <= ProposalEvaluation::MaximumStart(proposal, expected))
       {
         members.push_back(i);
@@ -193,7 +194,7 @@ void EvaluateAll(const ProposalEvaluation& evaluation, const Progress& progress,
         evaluation.Evaluate(*prepared[i], bound, part, proposal);
       }
       prepared[i].reset();
-      lowest = proposal.variation ? lowest : std::min(lowest, proposal.energy);
+      lowest = proposal.variation ? lowest : std::min(lowest, proposal.objective);
       part.Report(1.0);
     }
   }
@@ -303,13 +304,13 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   {
     const bool unreachable = proposal.holonomyDefect > DefectTolerance &&
       TooFewForHolonomy(domain, proposal.singularities);
-    return std::make_tuple(proposal.variation, unreachable, proposal.energy);
+    return std::make_tuple(proposal.variation, unreachable, proposal.objective);
   };
   std::stable_sort(proposals.begin(), proposals.end(),
     [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  // All others are sorted by energy alone.
+  // All others are sorted by the objective alone.
   std::stable_sort(proposals.begin() + 1, proposals.end(),
-    [](const auto& a, const auto& b) { return a.energy < b.energy; });
+    [](const auto& a, const auto& b) { return a.objective < b.objective; });
   std::vector<ProposedConfiguration> distinct;
   for (ProposedConfiguration& proposal : proposals)
   {

@@ -5,6 +5,7 @@
 #include "CornerSets.h"
 #include "DomainQueries.h"
 #include "FieldConfiguration.h"
+#include "GlobalSearch.h"
 #include "HolePattern.h"
 
 #include <cstdlib>
@@ -99,23 +100,25 @@ public:
     }
   }
 
-  /// Adds four singularities around each round hole, and those of the field in the domain with the
-  /// round holes filled.
-  void AddPattern(const std::vector<RoundHole>& holes)
+  /// Adds the best configurations of the search among candidate sites.
+  /// Returns whether there are any.
+  bool AddSearch(const Progress& progress)
   {
-    const FieldConfigurationOptions reading{ this->Options.cornerAngle, this->Options.corners };
-    const PlanarDomain filled = FillHoles(this->Domain, holes);
-    const CoarseField coarse = SolveCoarseField(filled, reading);
-    Configuration pattern = PatternAroundHoles(holes, CrossAnglesAt(coarse, Centres(holes)));
-    for (const Singularity& other : ReadConfiguration(filled, coarse, reading).singularities)
+    // The minima of the positions may be lower than the sites by this much.
+    constexpr double SiteError = 8.0;
+    constexpr std::size_t MostStarts = 4;
+    const std::vector<SearchedConfiguration> found = SearchConfigurations(
+      this->Domain, this->Options.corners, this->Options.cornerAngle, progress);
+    const std::size_t first = this->Starts.size();
+    for (const SearchedConfiguration& one : found)
     {
-      if (SignedDistance(other.position, this->Domain) > 0.0)
+      if (this->Starts.size() < first + MostStarts &&
+        one.objective < found.front().objective + SiteError)
       {
-        pattern.push_back(other);
+        this->Add(one.singularities, this->Options.corners, "search");
       }
     }
-    RemoveGiven(this->Options.given, pattern);
-    this->Add(pattern, this->Options.corners, "pattern around round holes");
+    return !found.empty();
   }
 
   /// Adds the first start with two singularities merged, and with an additional pair.
@@ -172,18 +175,14 @@ std::vector<ProposedConfiguration> FindStarts(
   StartCollection collection(domain, options);
   if (!options.cancelFlatCorners)
   {
+    // The search has more of the places around round holes than the field resolves.
     constexpr std::size_t FewestHoles = 2;
-    // The field has less than 150 triangles for each of more holes, and does not resolve them.
-    constexpr std::size_t MostHolesOfField = 32;
-    const std::vector<RoundHole> holes = FindRoundHoles(domain);
-    if (holes.size() >= FewestHoles)
+    const std::size_t holes = FindRoundHoles(domain).size();
+    const bool isSearched =
+      options.given.empty() && collection.AddSearch(progress.Part(0.0, 0.5));
+    if (isSearched && holes >= FewestHoles && holes + 1 == domain.loops.size() &&
+      !options.chooseCorners && !options.variations)
     {
-      collection.AddPattern(holes);
-    }
-    if (holes.size() > MostHolesOfField && holes.size() + 1 == domain.loops.size() &&
-      !options.chooseCorners)
-    {
-      collection.Add({}, options.corners, "spread");
       return collection.Release();
     }
     const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };

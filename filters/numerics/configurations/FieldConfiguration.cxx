@@ -112,25 +112,6 @@ CoarseField SolveCoarseField(
   return { std::move(static_cast<CrossField&>(field)), drill.meshSize };
 }
 
-std::vector<double> CrossAnglesAt(const CoarseField& coarse, const std::vector<Point>& places)
-{
-  const PlanarTopology& topology = *coarse.field.topology;
-  std::vector<double> angles;
-  for (const Point& place : places)
-  {
-    int nearest = 0;
-    double distance = std::numeric_limits<double>::infinity();
-    for (int edge = 0; edge < static_cast<int>(coarse.field.u.size()); ++edge)
-    {
-      const double squared = (topology.Midpoint(edge) - place).squaredNorm();
-      nearest = squared < distance ? edge : nearest;
-      distance = std::min(distance, squared);
-    }
-    angles.push_back(0.25 * std::arg(coarse.field.u[nearest]));
-  }
-  return angles;
-}
-
 FieldConfiguration ReadConfiguration(
   const PlanarDomain& domain, const CoarseField& coarse, const FieldConfigurationOptions& options)
 {

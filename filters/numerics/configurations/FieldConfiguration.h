@@ -35,9 +35,6 @@ struct CoarseField
 CoarseField SolveCoarseField(const PlanarDomain& domain,
   const FieldConfigurationOptions& options = {}, const Progress& progress = {});
 
-/// Returns the angles of the crosses of a field at points of its domain.
-std::vector<double> CrossAnglesAt(const CoarseField& coarse, const std::vector<Point>& places);
-
 /// Reads a starting configuration from a coarse field. The singularities of the field are
 /// consistent with its own corners. If a corner has another prescribed index than in the field, the
 /// difference is placed inside next to it; singularities that the field has moved into the boundary

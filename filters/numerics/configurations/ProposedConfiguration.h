@@ -9,7 +9,7 @@ namespace crossfield
 {
 struct ProposalOptions : SpreadOptions
 {
-  /// Core radius at which energies are compared, as in ConfigurationEnergy.h.
+  /// Core radius at which energies are reported, as in ConfigurationEnergy.h.
   double coreRadius = 0.0;
   /// Also proposes other quarter indices of corners than the smallest rotations or those given, if
   /// the corner classifier finds others of equal energy or the Ginzburg-Landau field has others.
@@ -32,6 +32,8 @@ struct ProposedConfiguration
   double logarithmCoefficient = 0.0;
   /// W + coefficient × log(1 / core radius), comparable between configurations with different Σ k².
   double energy = 0.0;
+  /// What proposals are ranked by (OptimizerResult::objective).
+  double objective = 0.0;
   double holonomyDefect = 0.0; ///< Maximum, radians.
   double sizeSpread = 0.0;     ///< Standard deviation of log size over the area.
 };

@@ -1,6 +1,6 @@
 #include "HolePattern.h"
 
-#include "DomainQueries.h"
+#include "LoopGap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,7 @@ std::vector<RoundHole> FindRoundHoles(const PlanarDomain& domain)
     hole.radius = distance(*farthest);
     if (loop.size() >= FewestVertices && distance(*nearest) > (1.0 - Tolerance) * hole.radius)
     {
-      PlanarDomain others = domain;
-      others.loops.erase(others.loops.begin() + static_cast<std::ptrdiff_t>(l));
-      hole.gap = SignedDistance(hole.centre, others) - hole.radius;
+      hole.gap = GapAround(domain, l);
       holes.push_back(hole);
     }
   }

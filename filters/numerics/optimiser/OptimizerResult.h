@@ -19,7 +19,7 @@ struct OptimizerOptions
   /// Maximum number of solves (SolveBudget.h), 0 for any number. When they are used up, the run
   /// ends with the best configuration so far.
   std::size_t maximumSolves = 0;
-  /// No step is made if the energy of the start at the RankingRadius is higher.
+  /// No step is made if the objective of the start (OptimizerResult::objective) is higher.
   double maximumStart = std::numeric_limits<double>::infinity();
   /// Bound on the derivatives of the Lagrangian, multiplied by the diagonal of the domain, and on
   /// the holonomy defects. The iteration has converged when all are below it.
@@ -71,7 +71,11 @@ struct OptimizerResult
   Configuration configuration;
   double energyBefore = 0.0;              ///< W at the start.
   double energyAfter = 0.0;               ///< W at the result.
-  double rankingEnergy = 0.0;             ///< OptimizerStage::CoreEnergy at the RankingRadius.
+  double coreEnergy = 0.0;                ///< OptimizerStage::CoreEnergy of the result.
+  /// What configurations are compared by (docs/method.md §5.6): the core energy less
+  /// WorthOfSymmetries of the symmetries of the domain that map the singularities to places within
+  /// a quarter of a quad.
+  double objective = 0.0;
   std::optional<SizeSpreads> sizeSpreads; ///< Empty if the sizing is Conformal.
   /// Points of the Pareto front if sizes are Uniform or Field: at the minimum of W, with uniform
   /// sizes, and after each added pair.

@@ -4,6 +4,7 @@
 #include "OptimizerPairs.h"
 #include "OptimizerReport.h"
 #include "OptimizerStart.h"
+#include "OptimizerSymmetry.h"
 #include "PoincareHopf.h"
 
 #include <cmath>
@@ -75,9 +76,13 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
   progress.Report(0.2);
 }
 
-double OptimizerRun::RankingEnergy() const
+double OptimizerRun::Objective() const
 {
-  return this->Stage.CoreEnergy(this->Current, RankingRadius(this->Domain));
+  constexpr double SeenPart = 0.25; // of a quad: less is not seen in a mesh
+  const std::size_t symmetries = MatchSymmetry(this->Stage.At(this->Current.positions).singularities,
+    FindSymmetries(this->Domain), SeenPart * this->Stage.quadSize)
+                                   .elements.size();
+  return this->Stage.CoreEnergy(this->Current) - WorthOfSymmetries(symmetries);
 }
 
 void OptimizerRun::EnforceClearances(double requested, Configuration& singularities)
@@ -225,7 +230,8 @@ void OptimizerRun::WriteResult(OptimizerEnd end)
   OptimizerResult& result = this->Result;
   result.configuration = last.singularities;
   result.energyAfter = this->Current.fullEnergy;
-  result.rankingEnergy = this->RankingEnergy();
+  result.coreEnergy = this->Stage.CoreEnergy(this->Current);
+  result.objective = this->Objective();
   if (result.sizeSpreads)
   {
     result.sizeSpreads->after = this->Current.sizeSpread;

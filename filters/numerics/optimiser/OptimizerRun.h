@@ -20,8 +20,8 @@ public:
     const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result);
 
   void Start(const Configuration& start, const Progress& progress);
-  /// Returns the present energy at the RankingRadius.
-  double RankingEnergy() const;
+  /// Returns OptimizerResult::objective at present.
+  double Objective() const;
   /// Minimises the objective, meshing again and changing the configuration where necessary.
   OptimizerEnd Minimise(const Progress& progress);
   /// Continues the optimisation from the minimum of W to the most uniform sizes, with the present

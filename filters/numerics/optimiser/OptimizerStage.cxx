@@ -38,8 +38,9 @@ TrackedConfiguration OptimizerStage::At(const Eigen::VectorXd& positions) const
   return moved;
 }
 
-double OptimizerStage::CoreEnergy(const OptimizerState& state, double radius) const
+double OptimizerStage::CoreEnergy(const OptimizerState& state) const
 {
+  const double radius = CoreRadius(this->potential->GetDomain());
   double coefficient = 0.0;
   for (const Singularity& singularity : this->placed.interior)
   {
@@ -51,11 +52,6 @@ double OptimizerStage::CoreEnergy(const OptimizerState& state, double radius) co
   }
   return state.fullEnergy - coefficient * std::log(radius) +
     CoreOverlapEnergy(this->objective->At(state.positions), radius);
-}
-
-double OptimizerStage::CoreEnergy(const OptimizerState& state) const
-{
-  return this->CoreEnergy(state, CoreRadius(this->potential->GetDomain()));
 }
 
 namespace
@@ -70,11 +66,6 @@ double QuadsOfDefaultMesh(const PlanarDomain& domain)
 double CoreRadius(const PlanarDomain& domain)
 {
   return domain.Diagonal() / 400.0;
-}
-
-double RankingRadius(const PlanarDomain& domain)
-{
-  return domain.Diagonal() / 100.0;
 }
 
 OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration& tracked,

@@ -40,10 +40,9 @@ struct OptimizerStage
 
   /// Returns the singularities with the interior ones at given positions.
   TrackedConfiguration At(const Eigen::VectorXd& positions) const;
-  /// Returns the energy E_ρ without terms that vanish with ρ (CoreOverlapEnergy). It is comparable
-  /// between configurations with different numbers of singularities.
-  double CoreEnergy(const OptimizerState& state, double radius) const;
-  /// Returns the same at ρ = 1/400 of the diagonal.
+  /// Returns the energy E_ρ at the CoreRadius ρ, without terms that vanish with ρ
+  /// (CoreOverlapEnergy). It is comparable between configurations with different numbers of
+  /// singularities.
   double CoreEnergy(const OptimizerState& state) const;
 };
 
@@ -51,11 +50,6 @@ struct OptimizerStage
 /// the default mesh size. No mesh for a field would resolve smaller distances between singularities
 /// or from the boundary.
 double CoreRadius(const PlanarDomain& domain);
-
-/// Returns the core radius at which configurations with different Σ k² are ranked, 1/100 of the
-/// diagonal: the error o(1) of the energy is small there, and the energies of cores are comparable
-/// to those in a quad mesh.
-double RankingRadius(const PlanarDomain& domain);
 
 struct StageOptions
 {

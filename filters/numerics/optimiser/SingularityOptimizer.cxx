@@ -14,15 +14,15 @@ PreparedOptimization::PreparedOptimization(const PlanarDomain& domain, const Con
 
 PreparedOptimization::~PreparedOptimization() = default;
 
-double PreparedOptimization::StartEnergy() const
+double PreparedOptimization::StartObjective() const
 {
-  return this->Optimizer->RankingEnergy();
+  return this->Optimizer->Objective();
 }
 
 OptimizerResult PreparedOptimization::Run(double maximumStart, const Progress& progress)
 {
   OptimizerRun& run = *this->Optimizer;
-  if (this->StartEnergy() > maximumStart)
+  if (this->StartObjective() > maximumStart)
   {
     run.WriteResult(OptimizerEnd::NoDescent);
     return this->Result;

@@ -42,8 +42,8 @@ public:
   PreparedOptimization& operator=(const PreparedOptimization&) = delete;
   ~PreparedOptimization();
 
-  /// Returns the energy of the start at the RankingRadius.
-  double StartEnergy() const;
+  /// Returns the objective of the start (OptimizerResult::objective).
+  double StartObjective() const;
   /// Optimises, once, with this bound instead of OptimizerOptions::maximumStart.
   OptimizerResult Run(double maximumStart, const Progress& progress = {});
 

@@ -58,6 +58,12 @@ StrengthChanges::StrengthChanges(
     this->Paths[0].push_back(potential.StripPath(k, false));
     this->Paths[1].push_back(potential.StripPath(k, true));
   }
+  if (this->Defects.size() > 0)
+  {
+    this->DefectEnergy = 0.5 *
+      (potential.GetProblem().potential->GetPeriodResponse().inverse +
+        this->Energy->GetEdgePotential().CouplingOfIslands());
+  }
 }
 
 StrengthChanges::Key StrengthChanges::KeyOf(const Place& place)
@@ -138,6 +144,85 @@ void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) cons
       }
     },
     MinimumColumns);
+}
+
+StrengthChanges::Form StrengthChanges::FormAt(
+  const std::vector<Place>& places, double coreRadius) const
+{
+  const auto count = static_cast<Eigen::Index>(places.size());
+  const double core = -std::log(coreRadius);
+  Form form{ Eigen::VectorXd(count), Eigen::MatrixXd(), this->Defects,
+    Eigen::MatrixXd(this->Defects.size(), count), this->DefectEnergy };
+  Eigen::MatrixXd fluxes(this->Growth.size(), count);
+  Eigen::MatrixXd responses(this->Growth.size(), count); // less the means
+  std::vector<LogSource> logs(places.size());
+  for (std::size_t begin = 0; begin < places.size(); begin += BatchSize)
+  {
+    const std::size_t size = std::min(BatchSize, places.size() - begin);
+    std::vector<Column> columns(size);
+    std::vector<Column*> pointers(size);
+    ForRanges(
+      static_cast<std::ptrdiff_t>(size),
+      [&](int first, int last)
+      {
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+        {
+          columns[i] = this->MakeColumn(places[begin + i]);
+          pointers[i] = &columns[i];
+        }
+      },
+      MinimumColumns);
+    this->ComputeResponses(pointers);
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const auto c = static_cast<Eigen::Index>(begin + i);
+      const Column& column = columns[i];
+      const LogSource& log = column.log;
+      logs[begin + i] = log;
+      fluxes.col(c) = column.flux;
+      responses.col(c) = column.response - column.mean;
+      form.defectChanges.col(c) = column.defects;
+      double interaction = 0.0;
+      for (const LogSource& other : this->Logs)
+      {
+        if (other.position != log.position)
+        {
+          interaction += InteractionFactor(other, log) * other.strength * log.strength *
+            std::log((other.position - log.position).norm());
+        }
+      }
+      form.linear[c] = interaction - column.flux.dot(this->Regular) +
+        column.mean.dot(this->Growth - 0.5 * this->Given.flux) -
+        0.5 * this->Given.mean.dot(column.flux) +
+        core * log.angle * log.strength * this->StrengthAt(log.position);
+    }
+  }
+  form.matrix = AdjointProduct(fluxes, responses);
+  form.matrix = (0.5 * (form.matrix + form.matrix.transpose())).eval();
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const LogSource& log = logs[static_cast<std::size_t>(i)];
+    form.matrix(i, i) += core * log.angle * log.strength * log.strength;
+    for (Eigen::Index j = 0; j < i; ++j)
+    {
+      const LogSource& other = logs[static_cast<std::size_t>(j)];
+      const double interaction = InteractionFactor(log, other) * log.strength * other.strength *
+        std::log((log.position - other.position).norm());
+      form.matrix(i, j) += interaction;
+      form.matrix(j, i) += interaction;
+    }
+  }
+  return form;
+}
+
+double StrengthChanges::StrengthAt(const Point& position) const
+{
+  double strength = 0.0;
+  for (const LogSource& log : this->Logs)
+  {
+    strength += log.position == position ? log.strength : 0.0;
+  }
+  return strength;
 }
 
 std::size_t StrengthChanges::Prepare(const std::vector<Place>& places)
@@ -230,12 +315,9 @@ StrengthChanges::Value StrengthChanges::Evaluate(const std::vector<Change>& chan
     const Eigen::VectorXd defects = (this->Defects + sum.column.defects)
                                       .unaryExpr([](double defect) { return WrapAngle(defect); });
     value.largestDefect = defects.lpNorm<Eigen::Infinity>();
-    const PeriodResponse& periods =
-      this->Energy->GetPotential().GetProblem().potential->GetPeriodResponse();
-    const Eigen::VectorXd offsets = NearestOffsets(defects, periods.inverse);
-    value.energy += 0.25 *
-      offsets.dot(
-        periods.inverse * offsets + this->Energy->GetEdgePotential().CouplingOfIslands() * offsets);
+    const Eigen::VectorXd offsets = NearestOffsets(
+      defects, this->Energy->GetPotential().GetProblem().potential->GetPeriodResponse().inverse);
+    value.energy += 0.5 * offsets.dot(this->DefectEnergy * offsets);
   }
   return value;
 }

@@ -46,6 +46,21 @@ public:
   /// Returns W of the configuration with changed quarter indices, whose changes must add up to zero.
   /// All places must have been prepared.
   Value Evaluate(const std::vector<Change>& changes) const;
+  /// Energy at a core radius as a quadratic function of the changes δ of the quarter indices at
+  /// places (docs/method.md §5.10): linear · δ + ½ δ · matrix δ for all δ with sum zero, without the
+  /// harmonic field of the holonomy defects. These are `defects` + `defectChanges` δ, and the energy
+  /// of their field is ½ d · defectEnergy d.
+  struct Form
+  {
+    Eigen::VectorXd linear;
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd defects;
+    Eigen::MatrixXd defectChanges; ///< A row for each inner loop.
+    Eigen::MatrixXd defectEnergy;
+  };
+  /// Returns the form for places, which need not be prepared.
+  Form FormAt(const std::vector<Place>& places, double coreRadius) const;
+
   /// Makes the changed configuration the given one.
   void Accept(const std::vector<Change>& changes);
 
@@ -74,6 +89,8 @@ private:
   /// Returns the change of the single-valued W.
   double EnergyOf(const Sum& sum) const;
 
+  /// Returns the strength of the given logarithms at a position.
+  double StrengthAt(const Point& position) const;
   /// Returns the logarithm of a place, with its flow.
   Column MakeColumn(const Place& place) const;
   void ComputeResponses(const std::vector<Column*>& columns) const;
@@ -85,6 +102,7 @@ private:
   Eigen::VectorXd Regular; ///< R on each half.
   Eigen::VectorXd Growth;  ///< Growth of the phase along each half.
   Eigen::VectorXd Defects;
+  Eigen::MatrixXd DefectEnergy; ///< The harmonic field of defects d has energy ½ d · DefectEnergy d.
   Eigen::MatrixXd PeriodBasis; ///< PointPotential::GetPeriodBasis on each half.
   double SingleValued = 0.0;   ///< Single-valued W.
   double Coefficient = 0.0;    ///< Logarithm coefficient.

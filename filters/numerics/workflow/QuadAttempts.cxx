@@ -191,6 +191,10 @@ private:
       }
       this->Moved.emplace(std::move(steps));
     }
+    if (this->Records.empty() && this->Placed->CountChoices() > 1)
+    {
+      return this->MakeAlternatives(progress.Part(placed, 1.0));
+    }
     QuadSteps steps = moves ? *this->Moved : *this->Placed;
     if (!attempt.mergesBlocks)
     {
@@ -201,6 +205,55 @@ private:
       steps.TakeFewRows();
     }
     return steps.MakeQuads(attempt.refinement, progress.Part(placed, 1.0));
+  }
+
+  /// Makes quads of all configurations that were chosen, and continues with the preferred one. Throws
+  /// the Error of the first if none has quads.
+  QuadWorkflowResult MakeAlternatives(const Progress& progress)
+  {
+    const std::size_t count = this->Placed->CountChoices();
+    std::vector<QuadWorkflowResult> results;
+    std::vector<QuadSteps> choices;
+    std::vector<Alternative> alternatives;
+    std::optional<Error> error;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto done = static_cast<double>(i);
+      const auto all = static_cast<double>(count);
+      QuadSteps steps = *this->Placed;
+      Outcome<QuadWorkflowResult> outcome = Try(
+        [&]
+        {
+          steps.UseChoice(i);
+          QuadSteps making = steps;
+          return making.MakeQuads(1.0, progress.Part(done / all, (done + 1.0) / all));
+        });
+      if (!outcome.value)
+      {
+        error = error ? error : outcome.error;
+        continue;
+      }
+      alternatives.push_back(AlternativeOf(outcome.value->quads, outcome.value->singularities.size(),
+        this->Request.quadSize, this->Request.quadCount));
+      alternatives.back().rank = this->Placed->RankOf(i);
+      results.push_back(std::move(*outcome.value));
+      choices.push_back(std::move(steps));
+    }
+    if (results.empty())
+    {
+      throw Error(*error);
+    }
+    const std::vector<std::size_t> order =
+      OrderAlternatives(alternatives, this->Request.preference);
+    const std::size_t used =
+      order[std::min(static_cast<std::size_t>(this->Request.alternative), order.size() - 1)];
+    this->Placed.emplace(std::move(choices[used]));
+    QuadWorkflowResult result = std::move(results[used]);
+    for (const std::size_t i : order)
+    {
+      result.alternatives.push_back(alternatives[i]);
+    }
+    return result;
   }
 
   /// Stores what an attempt led to, and its quads if they are the best.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Alternatives.h"
 #include "AutomaticConfiguration.h"
 #include "BoundaryLayers.h"
 #include "BoundarySides.h"
@@ -62,6 +63,9 @@ struct QuadRequest
   /// (IndexSplit.h).
   bool split = false;
   BlockMerge merge = BlockMerge::None;
+  /// What matters most where several configurations are chosen; absent: the energy.
+  std::optional<MeshPreference> preference;
+  int alternative = 0; ///< Which of QuadWorkflowResult::alternatives is used, from 0.
 
   bool isPart = false; ///< Of a domain with several: the number of quads of all of them matters.
 
@@ -118,6 +122,8 @@ struct QuadWorkflowResult
   /// was refined; one sentence each.
   std::vector<std::string> events;
   std::vector<AttemptReport> attempts;
+  /// Meshes of the configurations that were chosen, the preferred one first; empty if there is one.
+  std::vector<Alternative> alternatives;
   /// Run that chose them; absent if they were given, or the domain has several parts.
   std::optional<OptimizerResult> optimum;
   std::optional<HolonomyRepair> repair;       ///< If it was requested or necessary.

@@ -112,10 +112,26 @@ void QuadSteps::Choose(const Progress& progress)
   }
   const ScopedSeconds timed(this->Seconds.choose);
   AutomaticConfiguration choice = ChooseSingularities(this->Domain, this->Request, progress);
+  this->Others = std::move(choice.others);
+  this->Use(std::move(choice));
+}
+
+void QuadSteps::Use(AutomaticConfiguration choice)
+{
   this->Result.singularities = std::move(choice.singularities);
   this->Result.events = std::move(choice.events);
   this->Result.optimum = std::move(choice.optimum);
   this->MapOptions.corners = std::move(choice.corners);
+}
+
+void QuadSteps::UseChoice(std::size_t choice)
+{
+  if (choice > 0)
+  {
+    this->Use(this->Others[choice - 1]);
+    this->Split();
+    this->RepairOnRequest({});
+  }
 }
 
 /// Splits large quarter indices on request; otherwise throws Error for those without a node.

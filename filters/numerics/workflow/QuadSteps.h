@@ -16,6 +16,15 @@ public:
   /// Chooses singularities unless they are given, splits indices and repairs the holonomy on
   /// request. Throws Error as ChooseSingularities, RequireNodes and RepairForMap do.
   void Place(const Progress& progress);
+  /// Returns the number of configurations that were chosen, 1 if singularities are given.
+  std::size_t CountChoices() const { return 1 + this->Others.size(); }
+  /// Continues with another configuration, 0 for the first. Throws Error as Place does.
+  void UseChoice(std::size_t choice);
+  /// Returns AutomaticConfiguration::rank of a choice.
+  int RankOf(std::size_t choice) const
+  {
+    return choice == 0 ? 0 : this->Others[choice - 1].rank;
+  }
   /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or
   /// there is nothing to repair.
   void RepairHolonomy(const Progress& progress);
@@ -34,6 +43,7 @@ public:
 
 private:
   void Choose(const Progress& progress);
+  void Use(AutomaticConfiguration choice);
   void Split();
   void RepairOnRequest(const Progress& progress);
   SharedPlanarTopology MakeMesh(double refinement, const Progress& progress);
@@ -53,6 +63,7 @@ private:
   ResolvedRequest Request;
   const int Total; ///< Requested number of quads.
   SeamlessMapOptions MapOptions;
+  std::vector<AutomaticConfiguration> Others; ///< Chosen besides the one that is used.
   Configuration Start;        ///< The singularities that were given or chosen, split on request.
   Configuration BeforeRepair; ///< The singularities before the holonomy was repaired.
   std::string Motion;         ///< Where singularities were moved without request, in words.

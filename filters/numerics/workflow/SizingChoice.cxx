@@ -49,6 +49,29 @@ std::vector<SizingStep> StepsFor(SizingFreedom freedom)
   }
   return steps;
 }
+
+/// Returns whether uniform sizes keep the shapes and the blocks of a mesh with conformal ones.
+bool KeepsShape(const QuadResult& uniform, const QuadResult& conformal)
+{
+  // Of the minimum scaled Jacobian: less is not noticed.
+  constexpr double KeptPart = 0.97;
+  return conformal.quality.inverted > 0 ||
+    (uniform.quality.jacobian.min >= KeptPart * conformal.quality.jacobian.min &&
+      uniform.blocks.blocks.size() <= conformal.blocks.blocks.size());
+}
+
+std::vector<std::size_t> ArcsWithoutEdges(const QuadResult& quads)
+{
+  std::vector<std::size_t> arcs;
+  for (std::size_t arc = 0; arc < quads.counts.counts.size(); ++arc)
+  {
+    if (quads.counts.counts[arc] == 0)
+    {
+      arcs.push_back(arc);
+    }
+  }
+  return arcs;
+}
 }
 
 std::vector<std::string> ChooseSizing(
@@ -68,7 +91,9 @@ std::vector<std::string> ChooseSizing(
   };
   MeshGrade best = gradeOf(meshed.quads);
   bool isChanged = false;
-  const QuadOptions given = options;
+  QuadOptions given = options;
+  given.arcsWithoutEdges = ArcsWithoutEdges(meshed.quads);
+  const QuadResult conformal = meshed.quads;
   const auto optionsFor = [&](std::size_t i)
   {
     QuadOptions other = given;
@@ -99,7 +124,7 @@ std::vector<std::string> ChooseSizing(
     {
       QuadOptions other = optionsFor(i);
       const MeshGrade grade = gradeOf(uniform);
-      if (grade < best)
+      if (grade < best && KeepsShape(uniform, conformal))
       {
         best = grade;
         meshed.quads = std::move(uniform);
@@ -109,7 +134,7 @@ std::vector<std::string> ChooseSizing(
       const bool movesNext = i + 1 < steps.size() && steps[i].hold && !steps[i + 1].hold;
       return freedom == SizingFreedom::PreferHeld && steps[i].hold
         ? IsGoodInPlace(movesNext ? best : grade)
-        : grade.shape <= 0.0;
+        : grade.shape <= 0.0 && KeepsShape(meshed.quads, conformal) && isChanged;
     });
   if (!isChanged)
   {

@@ -186,6 +186,25 @@ void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* dat
 }
 
 //------------------------------------------------------------------------------
+void WriteAlternatives(
+  const std::vector<crossfield::Alternative>& alternatives, vtkFieldData* data)
+{
+  if (alternatives.size() < 2)
+  {
+    return;
+  }
+  using Mesh = crossfield::Alternative;
+  ColumnWriting::AddColumn<vtkIntArray>(
+    data, names::AlternativeNodes, alternatives, [](const Mesh& mesh) { return mesh.nodes; });
+  ColumnWriting::AddColumn<vtkIntArray>(
+    data, names::AlternativeBlocks, alternatives, [](const Mesh& mesh) { return mesh.blocks; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::AlternativeScaledJacobian, alternatives,
+    [](const Mesh& mesh) { return mesh.scaledJacobian; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, names::AlternativeSizeVariation, alternatives,
+    [](const Mesh& mesh) { return mesh.sizeVariation; });
+}
+
+//------------------------------------------------------------------------------
 void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFieldData* data)
 {
   vtkNew<vtkStringArray> texts;
@@ -261,6 +280,15 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
       text << " " << sentence;
     }
   }
+  const char* separator = " Alternatives: ";
+  for (std::size_t i = 0; i < result.alternatives.size() && result.alternatives.size() > 1; ++i)
+  {
+    const crossfield::Alternative& one = result.alternatives[i];
+    text << separator << i << " has " << one.nodes << " nodes, " << one.blocks << " blocks, "
+         << one.scaledJacobian;
+    separator = "; ";
+  }
+  text << (result.alternatives.size() > 1 ? "." : "");
   if (!result.warnings.empty())
   {
     text << " " << result.warnings.front();

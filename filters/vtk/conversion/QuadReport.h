@@ -24,6 +24,10 @@ void WriteLayers(const std::vector<crossfield::LayerReport>& layers, vtkFieldDat
 /** Writes the measures of curves, one tuple for each; nothing if there are none. */
 void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* data);
 
+/** Writes the meshes of the configurations that were chosen, if there are several. */
+void WriteAlternatives(
+  const std::vector<crossfield::Alternative>& alternatives, vtkFieldData* data);
+
 /** Writes the attempts, two texts for each. */
 void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFieldData* data);
 

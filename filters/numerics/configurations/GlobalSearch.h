@@ -1,0 +1,22 @@
+#pragma once
+
+#include "Progress.h"
+#include "ProposedConfiguration.h"
+
+namespace crossfield
+{
+/// Configuration of the search, before its positions are optimised.
+struct SearchedConfiguration
+{
+  Configuration singularities;
+  std::size_t symmetries = 1;
+  /// Energy at 1/400 of the diagonal up to a constant, less the worth of the symmetries.
+  double objective = 0.0;
+};
+
+/// Searches all configurations at candidate sites (docs/method.md §5.10): W is a quadratic form in
+/// the quarter indices there, so that every exchange of two singularities costs one addition.
+/// Returns different minima, the best first.
+std::vector<SearchedConfiguration> SearchConfigurations(const PlanarDomain& domain,
+  const std::vector<CornerChoice>& corners, double cornerAngle, const Progress& progress = {});
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "CandidateSites.h"
+#include "StrengthChanges.h"
+
+namespace crossfield
+{
+/// Quarter indices at the positions of CandidateSites.
+struct SiteIndices
+{
+  Eigen::VectorXi indices;
+  /// Number of elements of the group that map the indices to themselves.
+  std::size_t symmetries = 1;
+  /// The quadratic form, with the energy of the holonomy defects.
+  double energy = 0.0;
+};
+
+/// The form of StrengthChanges in the indices themselves: up to a constant, linear · k + ½ k · matrix k
+/// for all k with the sum `total`.
+struct IndexForm
+{
+  StrengthChanges::Form form;
+  int total = 0;
+};
+
+/// Searches quarter indices at sites with a sum for minima of the energy
+/// (docs/method.md §5.10), for every symmetry of the sites separately. Two sites closer than `apart`
+/// are not used together, and no index exceeds 1 except at a fixed point of a symmetry. Returns
+/// different results, those first that minimise the energy less 8 ln of the number of symmetries.
+std::vector<SiteIndices> SearchIndices(
+  const CandidateSites& sites, const IndexForm& form, double apart);
+}

@@ -1,0 +1,57 @@
+#include "Alternatives.h"
+
+#include "MeshGrade.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace crossfield
+{
+Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount)
+{
+  const QuadQuality& quality = quads.quality;
+  Alternative one;
+  one.nodes = static_cast<int>(nodes);
+  one.blocks = static_cast<int>(quads.blocks.blocks.size());
+  one.scaledJacobian = quality.jacobian.min;
+  one.sizeVariation = quality.variation;
+  one.attained = quality.bound > 0.0 ? quality.jacobian.min / quality.bound : 0.0;
+  one.isValid = quality.inverted == 0 && CountExcess(quads, quadSize, quadCount) == 0.0;
+  return one;
+}
+
+std::vector<std::size_t> OrderAlternatives(
+  const std::vector<Alternative>& alternatives, std::optional<MeshPreference> preference)
+{
+  constexpr double SeenInShape = 0.03;
+  constexpr double SeenInSizes = 0.1;
+  double attained = 0.0;
+  double variation = std::numeric_limits<double>::infinity();
+  for (const Alternative& one : alternatives)
+  {
+    if (one.isValid)
+    {
+      attained = std::max(attained, one.attained);
+      variation = std::min(variation, one.sizeVariation);
+    }
+  }
+  const auto key = [&](const Alternative& one)
+  {
+    const bool isPoor = one.attained < attained - SeenInShape ||
+      (preference != MeshPreference::Uniform && one.sizeVariation > variation + SeenInSizes);
+    const double first = !preference ? one.rank
+      : *preference == MeshPreference::Nodes  ? one.nodes
+      : *preference == MeshPreference::Blocks ? one.blocks
+                                              : one.sizeVariation;
+    return std::make_tuple(!one.isValid, isPoor, first, one.blocks, one.nodes,
+      -one.attained);
+  };
+  std::vector<std::size_t> order(alternatives.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return key(alternatives[a]) < key(alternatives[b]); });
+  return order;
+}
+}

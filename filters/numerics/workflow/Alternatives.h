@@ -1,0 +1,39 @@
+#pragma once
+
+#include "QuadResult.h"
+
+#include <optional>
+#include <vector>
+
+namespace crossfield
+{
+/// What matters most in a mesh.
+enum class MeshPreference
+{
+  Nodes,  ///< Few irregular nodes.
+  Blocks, ///< Few structured blocks.
+  Uniform ///< Quads of one size.
+};
+
+/// The mesh of one of several configurations that were chosen for a domain.
+struct Alternative
+{
+  int rank = 0;  ///< AutomaticConfiguration::rank.
+  int nodes = 0; ///< Number of singularities.
+  int blocks = 0;
+  double scaledJacobian = 0.0; ///< Minimum.
+  double sizeVariation = 0.0;
+  double attained = 0.0; ///< The minimum scaled Jacobian in parts of the attainable one.
+  bool isValid = true; ///< Without inverted quads, and with the requested number of quads.
+};
+
+Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount);
+
+/// Returns the order of alternatives, the best first (docs/method.md §14.14). Those are last that are
+/// not valid, whose shapes are worse than the best by more than 0.03 of the attainable minimum scaled
+/// Jacobian, or, unless uniform sizes are preferred, whose variation of sizes is larger than the
+/// smallest by more than 0.1. Without a preference, those of the lowest rank come first, and among them
+/// that with the fewest blocks.
+std::vector<std::size_t> OrderAlternatives(
+  const std::vector<Alternative>& alternatives, std::optional<MeshPreference> preference);
+}
