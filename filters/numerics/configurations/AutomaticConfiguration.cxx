@@ -139,6 +139,19 @@ ClearanceFactors LargerFactors(ClearanceFactors one, const ClearanceFactors& oth
   return one;
 }
 
+/// Sets the clearance for quads, with more room at holes unless a clearance is requested.
+void SetClearance(const PlanarDomain& domain, const AutomaticOptions& options, double quadsAtHoles,
+  OptimizerOptions& run)
+{
+  run.clearance = RequestedClearance(domain, options);
+  run.clearanceFactors = options.optimizer.clearanceFactors;
+  if (options.optimizer.clearance == 0.0)
+  {
+    run.clearanceFactors = LargerFactors(std::move(run.clearanceFactors),
+      ClearanceAtHoles(domain, ResolveQuadSize(domain, options), quadsAtHoles));
+  }
+}
+
 /// Adds the events of the last run.
 void AddEvents(AutomaticConfiguration& result)
 {
@@ -225,19 +238,13 @@ std::optional<std::size_t> SolvesLeft(std::size_t limit, std::size_t made)
 /// Continues the optimisation from the minimum of the energy with the clearance for quads, towards
 /// the target sizes if there are any, or towards uniform sizes if the sizes are far from uniform
 /// and `movesForSizes`. Returns whether it was for the latter.
-bool FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
-  double quadsAtHoles, bool movesForSizes, const Progress& progress,
+bool FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double quadsAtHoles,
+  bool movesForSizes, const Progress& progress,
   AutomaticConfiguration& result)
 {
   OptimizerOptions fit = options.optimizer;
   fit.corners = result.corners;
-  fit.clearance = clearance;
-  if (options.optimizer.clearance == 0.0)
-  {
-    const ClearanceFactors atHoles =
-      ClearanceAtHoles(domain, ResolveQuadSize(domain, options), quadsAtHoles);
-    fit.clearanceFactors = LargerFactors(fit.clearanceFactors, atHoles);
-  }
+  SetClearance(domain, options, quadsAtHoles, fit);
   fit.keepAll = true;
   fit.maximumSolves = options.maximumSolves / 2;
   const bool isUneven = fit.sizes.sizing == Sizing::Conformal && movesForSizes &&
@@ -294,7 +301,7 @@ bool DifferInCounts(const Configuration& one, const Configuration& other)
 /// Fits other configurations to quads: `minimum`, which is the best one before it was fitted, in
 /// other ways, and starts with other numbers of singularities.
 std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
-  const AutomaticOptions& options, double clearance, const std::vector<ProposedConfiguration>& starts,
+  const AutomaticOptions& options, const std::vector<ProposedConfiguration>& starts,
   const AutomaticConfiguration& minimum, const AutomaticConfiguration& best, bool isUneven,
   const Progress& progress)
 {
@@ -355,7 +362,7 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
   {
     try
     {
-      FitToQuads(domain, options, clearance, quadsAtHoles, movesForSizes, progress, other);
+      FitToQuads(domain, options, quadsAtHoles, movesForSizes, progress, other);
       if (!isSame(other, best) &&
         std::none_of(others.begin(), others.end(),
           [&](const AutomaticConfiguration& known) { return isSame(known, other); }))
@@ -453,8 +460,18 @@ AutomaticConfiguration ChooseConfiguration(
     }
     const double share = (fits ? 0.4 : 0.6) / static_cast<double>(starts.size());
     const double begin = 0.4 + share * static_cast<double>(i);
+    AutomaticOptions run = minimum;
+    if (starts[i].clearance > 0.0)
+    {
+      run.optimizer.keepAll = true;
+      run.optimizer.clearance = starts[i].clearance;
+      if (minimum.optimizer.quadSize > 0.0)
+      {
+        SetClearance(domain, options, 0.0, run.optimizer);
+      }
+    }
     AutomaticConfiguration tried =
-      Optimize(domain, starts[i], minimum, progress.Part(begin, begin + share));
+      Optimize(domain, starts[i], run, progress.Part(begin, begin + share));
     solves += tried.optimum.solves;
     if (i == 0 || IsBetter(tried.optimum, best.optimum))
     {
@@ -467,7 +484,9 @@ AutomaticConfiguration ChooseConfiguration(
   }
   best.optimum.solves = solves;
   const std::optional<std::size_t> left = SolvesLeft(options.maximumSolves, solves);
-  if (options.proposal.given.empty() && !best.optimum.aborted && left)
+  // The search of starts with a clearance has imposed symmetries.
+  if (options.proposal.given.empty() && !best.optimum.aborted && left &&
+    starts.front().clearance == 0.0)
   {
     // Enough to turn four singularities in a disk by an eighth of a turn.
     constexpr double LargestMove = 0.1;
@@ -481,14 +500,14 @@ AutomaticConfiguration ChooseConfiguration(
   {
     const AutomaticConfiguration unfitted = best;
     const bool isUneven =
-      FitToQuads(domain, options, clearance, UsualQuadsAtHoles, true, progress.Part(0.85, 0.95), best);
+      FitToQuads(domain, options, UsualQuadsAtHoles, true, progress.Part(0.85, 0.95), best);
     // The more there are, the less configurations differ, and the longer each takes.
     constexpr std::size_t ManySingularities = 60;
     if (options.finalists > 1 && !best.optimum.aborted &&
       best.singularities.size() <= ManySingularities)
     {
       best.others = FitOthers(
-        domain, options, clearance, starts, unfitted, best, isUneven, progress.Part(0.95, 1.0));
+        domain, options, starts, unfitted, best, isUneven, progress.Part(0.95, 1.0));
     }
   }
   return best;

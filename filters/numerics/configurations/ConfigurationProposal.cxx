@@ -99,6 +99,7 @@ private:
     OptimizerOptions options;
     options.corners = proposal.corners;
     options.maximumIterations = steps;
+    options.clearance = proposal.clearance;
     options.keepAll = true; // the configuration is ranked as proposed
     return std::make_unique<PreparedOptimization>(
       this->Domain, proposal.singularities, options, progress);

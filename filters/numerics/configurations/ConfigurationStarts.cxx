@@ -107,12 +107,14 @@ public:
     // The minima of the positions may be lower than the sites by this much.
     constexpr double SiteError = 8.0;
     constexpr std::size_t MostStarts = 4;
+    constexpr std::size_t ManySingularities = 100; // each start takes long, and they hardly differ
     const std::vector<SearchedConfiguration> found = SearchConfigurations(
       this->Domain, this->Options.corners, this->Options.cornerAngle, progress);
     const std::size_t first = this->Starts.size();
+    const bool isLarge = !found.empty() && found[0].singularities.size() > ManySingularities;
     for (const SearchedConfiguration& one : found)
     {
-      if (this->Starts.size() < first + MostStarts &&
+      if (this->Starts.size() < first + (isLarge ? 1 : MostStarts) &&
         one.objective < found.front().objective + SiteError)
       {
         this->Add(one.singularities, this->Options.corners, "search");
@@ -183,7 +185,12 @@ std::vector<ProposedConfiguration> FindStarts(
     if (isSearched && holes >= FewestHoles && holes + 1 == domain.loops.size() &&
       !options.chooseCorners && !options.variations)
     {
-      return collection.Release();
+      std::vector<ProposedConfiguration> starts = collection.Release();
+      for (ProposedConfiguration& start : starts)
+      {
+        start.clearance = SiteClearance(domain);
+      }
+      return starts;
     }
     const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };
     const CoarseField coarse = SolveCoarseField(domain, reading, progress);

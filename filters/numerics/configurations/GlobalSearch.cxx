@@ -13,10 +13,6 @@
 
 namespace crossfield
 {
-namespace
-{
-/// Returns the distance of sites from the boundary: a hundredth of the diagonal, and a quarter of
-/// the usual gap between round holes, if that is less.
 double SiteClearance(const PlanarDomain& domain)
 {
   double clearance = 0.01 * domain.Diagonal();
@@ -29,7 +25,6 @@ double SiteClearance(const PlanarDomain& domain)
     clearance = std::min(clearance, 0.25 * middle->gap);
   }
   return clearance;
-}
 }
 
 std::vector<SearchedConfiguration> SearchConfigurations(const PlanarDomain& domain,

@@ -14,6 +14,10 @@ struct SearchedConfiguration
   double objective = 0.0;
 };
 
+/// Returns the distance of candidate sites from the boundary: a hundredth of the diagonal, or a
+/// quarter of the median gap between round holes, if that is less.
+double SiteClearance(const PlanarDomain& domain);
+
 /// Searches all configurations at candidate sites (docs/method.md §5.10): W is a quadratic form in
 /// the quarter indices there, so that every exchange of two singularities costs one addition.
 /// Returns different minima, the best first.

@@ -26,6 +26,8 @@ struct ProposedConfiguration
   /// Corners whose quarter index is not the smallest rotation.
   std::vector<CornerChoice> corners;
   std::string origin; ///< Source of the configuration, a few words.
+  /// Clearance of its singularities, which all stay inside; 0: they may move to the boundary.
+  double clearance = 0.0;
   /// Whether it has other corners or is one of ProposalOptions::variations.
   bool variation = false;
   double renormalized = 0.0; ///< W.

@@ -6,14 +6,14 @@ namespace crossfield::test
 {
 namespace
 {
-TriangleMesh TestMesh()
+TriangleMesh MeshOfSquare()
 {
   return DrillHoles(Builtin("ring"), { { { 0.7, 0.1 }, 1, 0.01 }, { { -0.6, 0.3 }, -1, 0.15 } });
 }
 
 TEST(P1Laplacian, PatchTestIsExactForLinearFunctions)
 {
-  const TriangleMesh mesh = TestMesh();
+  const TriangleMesh mesh = MeshOfSquare();
   const SparseMatrix stiffness = P1Stiffness(mesh, NumberEdges(mesh));
   EXPECT_TRUE(stiffness.isCompressed());
   std::vector<bool> onBoundary(mesh.points.size(), false);
@@ -41,7 +41,7 @@ TEST(P1Laplacian, PatchTestIsExactForLinearFunctions)
 
 TEST(P1Laplacian, IsSymmetricWithTheConstantsAsKernelAtAnyScale)
 {
-  const TriangleMesh mesh = TestMesh();
+  const TriangleMesh mesh = MeshOfSquare();
   const EdgeNumbering edges = NumberEdges(mesh);
   const SparseMatrix stiffness = P1Stiffness(mesh, edges);
   const SparseMatrix transposed = stiffness.transpose();
@@ -56,7 +56,7 @@ TEST(P1Laplacian, IsSymmetricWithTheConstantsAsKernelAtAnyScale)
 
 TEST(P1Laplacian, ElementIsAQuarterOfTheCrouzeixRaviartOne)
 {
-  const TriangleMesh mesh = TestMesh();
+  const TriangleMesh mesh = MeshOfSquare();
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 7)
   {
     TriangleMesh single;
@@ -85,7 +85,7 @@ TEST(P1Laplacian, ElementIsAQuarterOfTheCrouzeixRaviartOne)
 
 TEST(P1Laplacian, RefusesTrianglesWithoutArea)
 {
-  TriangleMesh mesh = TestMesh();
+  TriangleMesh mesh = MeshOfSquare();
   const EdgeNumbering edges = NumberEdges(mesh);
   mesh.points[mesh.triangles[5][0]] = mesh.points[mesh.triangles[5][1]];
   EXPECT_TRUE(Refuses([&] { P1Stiffness(mesh, edges); }, { "Triangle", "no area" }));
