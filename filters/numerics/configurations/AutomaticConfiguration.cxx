@@ -2,6 +2,7 @@
 
 #include "DrillHoles.h"
 #include "Error.h"
+#include "HolePattern.h"
 #include "LoopGap.h"
 #include "MeshBudget.h"
 #include "OptimizerReport.h"
@@ -318,7 +319,7 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
   {
     candidates.push_back({ minimum });
   }
-  if (options.optimizer.clearance == 0.0 && domain.loops.size() > 1)
+  if (options.optimizer.clearance == 0.0 && !FindRoundHoles(domain).empty())
   {
     // Distances with which there are fewer blocks, or better shapes, in some parts.
     candidates.push_back({ minimum, 0.0, true });
@@ -347,6 +348,9 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
   candidates.erase(candidates.begin() +
       static_cast<std::ptrdiff_t>(std::min(candidates.size(), options.finalists - 1)),
     candidates.end());
+  // One that takes longer than the best is not worth it.
+  AutomaticOptions limited = options;
+  limited.maximumSolves = options.maximumSolves / 4;
   const double seen = 0.05 * ResolveQuadSize(domain, options);
   std::vector<AutomaticConfiguration> others;
   const auto isSame = [&](const AutomaticConfiguration& one, const AutomaticConfiguration& other)
@@ -362,7 +366,7 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
   {
     try
     {
-      FitToQuads(domain, options, quadsAtHoles, movesForSizes, progress, other);
+      FitToQuads(domain, limited, quadsAtHoles, movesForSizes, progress, other);
       if (!isSame(other, best) &&
         std::none_of(others.begin(), others.end(),
           [&](const AutomaticConfiguration& known) { return isSame(known, other); }))

@@ -193,7 +193,7 @@ std::vector<ProposedConfiguration> FindStarts(
       return starts;
     }
     const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };
-    const CoarseField coarse = SolveCoarseField(domain, reading, progress);
+    const CoarseField coarse = SolveCoarseField(domain, reading, progress.Part(0.5, 1.0));
     collection.AddField(coarse, options.corners, "");
     if (options.chooseCorners)
     {

@@ -31,6 +31,11 @@ std::vector<SearchedConfiguration> SearchConfigurations(const PlanarDomain& doma
   const std::vector<CornerChoice>& corners, double cornerAngle, const Progress& progress)
 {
   const double clearance = SiteClearance(domain);
+  constexpr double Narrow = 0.001; // of the diagonal: a mesh of such edges would be large
+  if (clearance < Narrow * domain.Diagonal())
+  {
+    return {};
+  }
   const int total =
     CountQuarters(domain.loops, 0, cornerAngle, corners).requiredInteriorQuarters;
   const CandidateSites sites = FindCandidateSites(domain, clearance);

@@ -50,12 +50,15 @@ std::vector<SizingStep> StepsFor(SizingFreedom freedom)
   return steps;
 }
 
-/// Returns whether uniform sizes keep the shapes and the blocks of a mesh with conformal ones.
+/// Returns whether uniform sizes keep the shapes and the blocks of a mesh with conformal ones, or these
+/// are so different that they matter more.
 bool KeepsShape(const QuadResult& uniform, const QuadResult& conformal)
 {
   // Of the minimum scaled Jacobian: less is not noticed.
   constexpr double KeptPart = 0.97;
-  return conformal.quality.inverted > 0 ||
+  // One quad in twenty differs from the mean size by more than 60 %.
+  constexpr double LargestVariation = 0.3;
+  return conformal.quality.inverted > 0 || conformal.quality.variation > LargestVariation ||
     (uniform.quality.jacobian.min >= KeptPart * conformal.quality.jacobian.min &&
       uniform.blocks.blocks.size() <= conformal.blocks.blocks.size());
 }

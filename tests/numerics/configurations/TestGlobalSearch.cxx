@@ -8,6 +8,7 @@
 #include "MakePlanarDomain.h"
 #include "OptimizerStage.h"
 #include "SingularityOptimizer.h"
+#include "StageBoundary.h"
 #include "StrengthChanges.h"
 #include "Support.h"
 
@@ -74,10 +75,11 @@ TEST(GlobalSearch, FormEqualsEnergiesOfChanges)
   options.objective.clearance = 0.01;
   const OptimizerStage stage =
     MakeStage(domain, { given, std::vector<int>(given.size(), 0), {} }, options);
+  const Corner vertex = BoundaryVertices(stage).vertices[5];
   StrengthChanges changes(stage.objective->Energy(), given);
   const std::vector<StrengthChanges::Place> places = { { given[0].position, -1 },
     { given[1].position, -1 }, { { 0.0, -0.7 }, -1 }, { { 0.75, 0.2 }, -1 },
-    { domain.loops[0][7], stage.potential->GetProblem().Topology().VertexOf(domain.loops[0][7]) } };
+    { vertex.position, stage.potential->GetProblem().Topology().VertexOf(vertex) } };
   changes.Prepare(places);
   const double radius = domain.Diagonal() / 400.0;
   const StrengthChanges::Form form = changes.FormAt(places, radius);
