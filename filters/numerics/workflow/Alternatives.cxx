@@ -1,6 +1,7 @@
 #include "Alternatives.h"
 
 #include "MeshGrade.h"
+#include "SizeSearch.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,7 +19,10 @@ Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double qua
   one.scaledJacobian = quality.jacobian.min;
   one.sizeVariation = quality.variation;
   one.attained = quality.bound > 0.0 ? quality.jacobian.min / quality.bound : 0.0;
-  one.isValid = quality.inverted == 0 && CountExcess(quads, quadSize, quadCount) == 0.0;
+  one.symmetries = quads.smoothing.symmetries;
+  // Edge counts with many symmetries leave larger steps from one number of quads to the next.
+  one.isValid =
+    quality.inverted == 0 && CountExcess(quads, quadSize, quadCount) <= CountTolerance;
   return one;
 }
 
@@ -45,7 +49,8 @@ std::vector<std::size_t> OrderAlternatives(
       : *preference == MeshPreference::Nodes  ? one.nodes
       : *preference == MeshPreference::Blocks ? one.blocks
                                               : one.sizeVariation;
-    return std::make_tuple(!one.isValid, isPoor, first, one.blocks, one.nodes,
+    return std::make_tuple(!one.isValid, isPoor, first, preference ? 0 : -one.symmetries,
+      one.blocks, one.nodes,
       -one.attained);
   };
   std::vector<std::size_t> order(alternatives.size());

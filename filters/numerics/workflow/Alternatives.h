@@ -23,8 +23,9 @@ struct Alternative
   int blocks = 0;
   double scaledJacobian = 0.0; ///< Minimum.
   double sizeVariation = 0.0;
+  int symmetries = 1;          ///< Of the mesh.
   double attained = 0.0; ///< The minimum scaled Jacobian in parts of the attainable one.
-  bool isValid = true; ///< Without inverted quads, and with the requested number of quads.
+  bool isValid = true; ///< Without inverted quads, and with nearly the requested number of quads.
 };
 
 Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount);
@@ -33,7 +34,7 @@ Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double qua
 /// not valid, whose shapes are worse than the best by more than 0.03 of the attainable minimum scaled
 /// Jacobian, or, unless uniform sizes are preferred, whose variation of sizes is larger than the
 /// smallest by more than 0.1. Without a preference, those of the lowest rank come first, and among them
-/// that with the fewest blocks.
+/// the most symmetric ones with the fewest blocks.
 std::vector<std::size_t> OrderAlternatives(
   const std::vector<Alternative>& alternatives, std::optional<MeshPreference> preference);
 }

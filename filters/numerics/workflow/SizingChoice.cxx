@@ -50,15 +50,21 @@ std::vector<SizingStep> StepsFor(SizingFreedom freedom)
   return steps;
 }
 
-/// Returns whether uniform sizes keep the shapes and the blocks of a mesh with conformal ones, or these
-/// are so different that they matter more.
+/// Returns whether uniform sizes may cost neither shapes nor blocks: conformal ones are valid, and not so
+/// different that they matter more.
+bool IsShapeKept(const QuadResult& conformal)
+{
+  // One quad in twenty differs from the mean size by more than 60 %.
+  constexpr double LargestVariation = 0.3;
+  return conformal.quality.inverted == 0 && conformal.quality.variation <= LargestVariation;
+}
+
+/// Returns whether uniform sizes have the shapes and the blocks of a mesh with conformal ones.
 bool KeepsShape(const QuadResult& uniform, const QuadResult& conformal)
 {
   // Of the minimum scaled Jacobian: less is not noticed.
   constexpr double KeptPart = 0.97;
-  // One quad in twenty differs from the mean size by more than 60 %.
-  constexpr double LargestVariation = 0.3;
-  return conformal.quality.inverted > 0 || conformal.quality.variation > LargestVariation ||
+  return !IsShapeKept(conformal) ||
     (uniform.quality.jacobian.min >= KeptPart * conformal.quality.jacobian.min &&
       uniform.blocks.blocks.size() <= conformal.blocks.blocks.size());
 }
@@ -95,7 +101,10 @@ std::vector<std::string> ChooseSizing(
   MeshGrade best = gradeOf(meshed.quads);
   bool isChanged = false;
   QuadOptions given = options;
-  given.arcsWithoutEdges = ArcsWithoutEdges(meshed.quads);
+  if (IsShapeKept(meshed.quads))
+  {
+    given.arcsWithoutEdges = ArcsWithoutEdges(meshed.quads);
+  }
   const QuadResult conformal = meshed.quads;
   const auto optionsFor = [&](std::size_t i)
   {

