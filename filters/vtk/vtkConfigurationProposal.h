@@ -2,11 +2,11 @@
  * @class   vtkConfigurationProposal
  * @brief   propose a consistent starting configuration of singularities for a planar domain
  *
- * Places singularities so that the Poincaré-Hopf theorem holds. These starts are tried: the best
- * of a search among several hundred places; the singularities of a coarse Ginzburg-Landau field,
- * corrected to the sum that vtkPoincareHopfCheck requires; the same without pairs of opposite
- * signs; and positions spread over the domain. If all holes are round and there are two or more,
- * only the first. Each takes a few steps of vtkSingularityOptimizer, and the one with the minimum
+ * Places singularities so that the Poincaré-Hopf theorem holds. Three starts are tried: the
+ * singularities of a coarse Ginzburg-Landau field, corrected to the sum that vtkPoincareHopfCheck
+ * requires; the same without pairs of opposite signs; and positions spread over the domain. If all
+ * holes are round and there are two or more, they are the best of a search among several hundred
+ * places instead. Each takes a few steps of vtkSingularityOptimizer, and the one with the minimum
  * energy at 1/400 of the diagonal, less a reward for symmetry, is output. Where singularities are given or flat corners are cancelled, nothing is moved.
  * The result is a start, not an optimum. With Automatic the singularities are then moved to a
  * minimum of the renormalised energy, as vtkSingularityOptimizer does. For quads, vtkQuadMesher

@@ -124,32 +124,16 @@ double RequestedClearance(const PlanarDomain& domain, const AutomaticOptions& op
                                             : ClearanceForQuads(ResolveQuadSize(domain, options));
 }
 
-ClearanceFactors LargerFactors(ClearanceFactors one, const ClearanceFactors& other)
-{
-  if (one.empty())
-  {
-    return other;
-  }
-  for (std::size_t l = 0; l < one.size(); ++l)
-  {
-    for (std::size_t i = 0; i < one[l].size(); ++i)
-    {
-      one[l][i] = std::max(one[l][i], other[l][i]);
-    }
-  }
-  return one;
-}
-
-/// Sets the clearance for quads, with more room at holes unless a clearance is requested.
+/// Sets the clearance for quads, with more room at holes unless a clearance or factors are requested.
 void SetClearance(const PlanarDomain& domain, const AutomaticOptions& options, double quadsAtHoles,
   OptimizerOptions& run)
 {
   run.clearance = RequestedClearance(domain, options);
   run.clearanceFactors = options.optimizer.clearanceFactors;
-  if (options.optimizer.clearance == 0.0)
+  if (options.optimizer.clearance == 0.0 && run.clearanceFactors.empty())
   {
-    run.clearanceFactors = LargerFactors(std::move(run.clearanceFactors),
-      ClearanceAtHoles(domain, ResolveQuadSize(domain, options), quadsAtHoles));
+    run.clearanceFactors =
+      ClearanceAtHoles(domain, ResolveQuadSize(domain, options), quadsAtHoles);
   }
 }
 
@@ -240,8 +224,7 @@ std::optional<std::size_t> SolvesLeft(std::size_t limit, std::size_t made)
 /// the target sizes if there are any, or towards uniform sizes if the sizes are far from uniform
 /// and `movesForSizes`. Returns whether it was for the latter.
 bool FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double quadsAtHoles,
-  bool movesForSizes, const Progress& progress,
-  AutomaticConfiguration& result)
+  bool movesForSizes, const Progress& progress, AutomaticConfiguration& result)
 {
   OptimizerOptions fit = options.optimizer;
   fit.corners = result.corners;
@@ -326,7 +309,10 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
     candidates.push_back({ minimum, 2.5, true });
   }
   int rank = 0;
-  for (const ProposedConfiguration& start : starts)
+  std::vector<ProposedConfiguration> sorted = starts;
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [](const auto& a, const auto& b) { return a.objective < b.objective; });
+  for (const ProposedConfiguration& start : sorted)
   {
     const bool isNew = DifferInCounts(start.singularities, minimum.singularities) &&
       std::none_of(candidates.begin(), candidates.end(),

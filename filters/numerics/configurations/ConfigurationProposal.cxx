@@ -309,9 +309,9 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   };
   std::stable_sort(proposals.begin(), proposals.end(),
     [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  // All others are sorted by the objective alone.
+  // All others are sorted by their energy alone, as people compare them.
   std::stable_sort(proposals.begin() + 1, proposals.end(),
-    [](const auto& a, const auto& b) { return a.objective < b.objective; });
+    [](const auto& a, const auto& b) { return a.energy < b.energy; });
   std::vector<ProposedConfiguration> distinct;
   for (ProposedConfiguration& proposal : proposals)
   {

@@ -9,10 +9,10 @@ namespace crossfield
 /// Proposes consistent starting configurations, the best first (docs/method.md §5.6). The sources
 /// are a coarse Ginzburg-Landau field (FieldConfiguration.h), the same field without pairs of
 /// opposite signs, and a spread configuration (ConfigurationSpread.h). Each is improved by a few
-/// steps of the optimiser, and they are sorted by OptimizerResult::objective. Configurations
+/// steps of the optimiser, and the first is that of the lowest OptimizerResult::objective. Configurations
 /// with too few singularities for the inner loops (TooFewForHolonomy) are also proposed with
 /// additional pairs. Configurations with a remaining defect and variations are never ranked first.
-/// All but the first are sorted by the objective only. Equal configurations are returned once. Variations
+/// All but the first are sorted by their energy at the core radius. Equal configurations are returned once. Variations
 /// whose cores overlap have no energy at the core radius and are not returned.
 ///
 /// If the domain has symmetries (BoundarySymmetry.h), positions that are approximately symmetric

@@ -177,13 +177,13 @@ std::vector<ProposedConfiguration> FindStarts(
   StartCollection collection(domain, options);
   if (!options.cancelFlatCorners)
   {
-    // The search has more of the places around round holes than the field resolves.
+    // The search has more of the places around round holes than the field resolves, but no places on
+    // the boundary, where singularities end in other domains.
     constexpr std::size_t FewestHoles = 2;
     const std::size_t holes = FindRoundHoles(domain).size();
-    const bool isSearched =
-      options.given.empty() && collection.AddSearch(progress.Part(0.0, 0.5));
-    if (isSearched && holes >= FewestHoles && holes + 1 == domain.loops.size() &&
-      !options.chooseCorners && !options.variations)
+    const bool isSearched = options.given.empty() && holes >= FewestHoles &&
+      holes + 1 == domain.loops.size() && collection.AddSearch(progress.Part(0.0, 0.5));
+    if (isSearched && !options.chooseCorners && !options.variations)
     {
       std::vector<ProposedConfiguration> starts = collection.Release();
       for (ProposedConfiguration& start : starts)

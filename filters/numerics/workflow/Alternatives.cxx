@@ -21,8 +21,8 @@ Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double qua
   one.attained = quality.bound > 0.0 ? quality.jacobian.min / quality.bound : 0.0;
   one.symmetries = quads.smoothing.symmetries;
   // Edge counts with many symmetries leave larger steps from one number of quads to the next.
-  one.isValid =
-    quality.inverted == 0 && CountExcess(quads, quadSize, quadCount) <= CountTolerance;
+  one.excess = CountExcess(quads, quadSize, quadCount);
+  one.isValid = quality.inverted == 0 && one.excess <= CountTolerance;
   return one;
 }
 
@@ -49,9 +49,9 @@ std::vector<std::size_t> OrderAlternatives(
       : *preference == MeshPreference::Nodes  ? one.nodes
       : *preference == MeshPreference::Blocks ? one.blocks
                                               : one.sizeVariation;
-    return std::make_tuple(!one.isValid, isPoor, first, preference ? 0 : -one.symmetries,
+    return std::make_tuple(!one.isValid, isPoor, one.excess > 0.0, first, preference ? 0 : -one.symmetries,
       one.blocks, one.nodes,
-      -one.attained);
+      one.sizeVariation);
   };
   std::vector<std::size_t> order(alternatives.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

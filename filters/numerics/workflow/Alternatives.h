@@ -25,6 +25,7 @@ struct Alternative
   double sizeVariation = 0.0;
   int symmetries = 1;          ///< Of the mesh.
   double attained = 0.0; ///< The minimum scaled Jacobian in parts of the attainable one.
+  double excess = 0.0; ///< CountExcess.
   bool isValid = true; ///< Without inverted quads, and with nearly the requested number of quads.
 };
 
@@ -33,8 +34,9 @@ Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double qua
 /// Returns the order of alternatives, the best first (docs/method.md §14.14). Those are last that are
 /// not valid, whose shapes are worse than the best by more than 0.03 of the attainable minimum scaled
 /// Jacobian, or, unless uniform sizes are preferred, whose variation of sizes is larger than the
-/// smallest by more than 0.1. Without a preference, those of the lowest rank come first, and among them
-/// the most symmetric ones with the fewest blocks.
+/// smallest by more than 0.1. Among the others, those with the requested number of quads come first.
+/// Without a preference, the lowest rank follows, and then the most symmetric mesh with the fewest
+/// blocks and the most uniform sizes.
 std::vector<std::size_t> OrderAlternatives(
   const std::vector<Alternative>& alternatives, std::optional<MeshPreference> preference);
 }

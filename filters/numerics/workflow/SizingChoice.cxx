@@ -50,23 +50,23 @@ std::vector<SizingStep> StepsFor(SizingFreedom freedom)
   return steps;
 }
 
-/// Returns whether uniform sizes may cost neither shapes nor blocks: conformal ones are valid, and not so
-/// different that they matter more.
-bool IsShapeKept(const QuadResult& conformal)
+/// Returns whether uniform sizes may cost neither shapes nor blocks: a mesh with conformal ones has
+/// valid quads, the right number of them, and sizes that are not so different that they matter more.
+bool IsShapeKept(const MeshGrade& conformal)
 {
   // One quad in twenty differs from the mean size by more than 60 %.
   constexpr double LargestVariation = 0.3;
-  return conformal.quality.inverted == 0 && conformal.quality.variation <= LargestVariation;
+  return conformal.inverted == 0 && conformal.count == 0.0 &&
+    conformal.variation <= LargestVariation - GoodVariation;
 }
 
 /// Returns whether uniform sizes have the shapes and the blocks of a mesh with conformal ones.
 bool KeepsShape(const QuadResult& uniform, const QuadResult& conformal)
 {
   // Of the minimum scaled Jacobian: less is not noticed.
-  constexpr double KeptPart = 0.97;
-  return !IsShapeKept(conformal) ||
-    (uniform.quality.jacobian.min >= KeptPart * conformal.quality.jacobian.min &&
-      uniform.blocks.blocks.size() <= conformal.blocks.blocks.size());
+  constexpr double KeptPart = 0.975;
+  return uniform.quality.jacobian.min >= KeptPart * conformal.quality.jacobian.min &&
+    uniform.blocks.blocks.size() <= conformal.blocks.blocks.size();
 }
 
 std::vector<std::size_t> ArcsWithoutEdges(const QuadResult& quads)
@@ -101,7 +101,8 @@ std::vector<std::string> ChooseSizing(
   MeshGrade best = gradeOf(meshed.quads);
   bool isChanged = false;
   QuadOptions given = options;
-  if (IsShapeKept(meshed.quads))
+  const bool isShapeKept = IsShapeKept(best);
+  if (isShapeKept)
   {
     given.arcsWithoutEdges = ArcsWithoutEdges(meshed.quads);
   }
@@ -136,7 +137,7 @@ std::vector<std::string> ChooseSizing(
     {
       QuadOptions other = optionsFor(i);
       const MeshGrade grade = gradeOf(uniform);
-      if (grade < best && KeepsShape(uniform, conformal))
+      if (grade < best && (!isShapeKept || KeepsShape(uniform, conformal)))
       {
         best = grade;
         meshed.quads = std::move(uniform);
@@ -146,7 +147,7 @@ std::vector<std::string> ChooseSizing(
       const bool movesNext = i + 1 < steps.size() && steps[i].hold && !steps[i + 1].hold;
       return freedom == SizingFreedom::PreferHeld && steps[i].hold
         ? IsGoodInPlace(movesNext ? best : grade)
-        : grade.shape <= 0.0 && KeepsShape(meshed.quads, conformal) && isChanged;
+        : grade.shape <= 0.0 && isChanged;
     });
   if (!isChanged)
   {

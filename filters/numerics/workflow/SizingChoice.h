@@ -18,7 +18,7 @@ enum class SizingFreedom
 /// Replaces a mesh with conformal sizes by one with uniform sizes where that is better, and sets the
 /// sizing of the options to that of the result (docs/method.md §14.8). Conformal sizes are retained
 /// if their standard deviation is at most GoodVariation of the mean and the minimum scaled Jacobian at least
-/// 0.8 of the attainable one, or if uniform ones have less than 0.97 of the minimum scaled Jacobian or more
+/// 0.8 of the attainable one, or if uniform ones have less than 0.975 of the minimum scaled Jacobian or more
 /// blocks; with given singularities if the deviation is at most half of the mean.
 /// Returns the decision as an event, or none.
 std::vector<std::string> ChooseSizing(

@@ -82,7 +82,7 @@ TEST(ConfigurationProposal, IsConsistentWithItsCorners)
     EXPECT_FALSE(proposals[0].variation);
     for (std::size_t i = 2; i < proposals.size(); ++i)
     {
-      EXPECT_LE(proposals[i - 1].objective, proposals[i].objective);
+      EXPECT_LE(proposals[i - 1].energy, proposals[i].energy);
     }
   }
 }
