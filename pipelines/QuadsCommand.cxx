@@ -334,10 +334,9 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "--coarse", [options] { options->merge = vtkQuadMesher::MergeCoarse; },
       "short for --merge coarse")
     ->excludes(merge);
-  const std::vector<std::pair<std::string, int>> preferences = {
-    { "nodes", vtkQuadMesher::PreferNodes }, { "blocks", vtkQuadMesher::PreferBlocks },
-    { "uniform", vtkQuadMesher::PreferUniform }
-  };
+  const std::vector<std::pair<std::string, int>> preferences = { { "nodes",
+                                                                   vtkQuadMesher::PreferNodes },
+    { "blocks", vtkQuadMesher::PreferBlocks }, { "uniform", vtkQuadMesher::PreferUniform } };
   command
     ->add_option("--prefer", options->prefer,
       "what matters most where several configurations of singularities are chosen and each has quads "

@@ -87,8 +87,7 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
   // Smaller defects may be artefacts of the mesh.
   const double defect = std::max(LargestDefect(one), NoticeableDefect);
   const double otherDefect = std::max(LargestDefect(other), NoticeableDefect);
-  return std::make_tuple(defect, one.objective) <
-    std::make_tuple(otherDefect, other.objective);
+  return std::make_tuple(defect, one.objective) < std::make_tuple(otherDefect, other.objective);
 }
 
 /// Returns whether a start has a lower objective than a minimum, by more than the error of the meshes:
@@ -132,8 +131,7 @@ void SetClearance(const PlanarDomain& domain, const AutomaticOptions& options, d
   run.clearanceFactors = options.optimizer.clearanceFactors;
   if (options.optimizer.clearance == 0.0 && run.clearanceFactors.empty())
   {
-    run.clearanceFactors =
-      ClearanceAtHoles(domain, ResolveQuadSize(domain, options), quadsAtHoles);
+    run.clearanceFactors = ClearanceAtHoles(domain, ResolveQuadSize(domain, options), quadsAtHoles);
   }
 }
 
@@ -261,8 +259,8 @@ bool FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   {
     // The energy is flat within a quarter of a quad, and the error of the mesh decides on which
     // side of the symmetric position its minimum is.
-    MakeSymmetric(
-      domain, FindSymmetries(domain), 0.25 * ResolveQuadSize(domain, options), result.singularities);
+    MakeSymmetric(domain, FindSymmetries(domain), 0.25 * ResolveQuadSize(domain, options),
+      result.singularities);
   }
   return isUneven;
 }
@@ -316,9 +314,8 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
   {
     const bool isNew = DifferInCounts(start.singularities, minimum.singularities) &&
       std::none_of(candidates.begin(), candidates.end(),
-        [&](const Candidate& other) {
-          return !DifferInCounts(start.singularities, other.configuration.singularities);
-        });
+        [&](const Candidate& other)
+        { return !DifferInCounts(start.singularities, other.configuration.singularities); });
     if (isNew && start.objective < minimum.optimum.objective + LargestRise &&
       start.holonomyDefect < NoticeableDefect)
     {
@@ -344,9 +341,7 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
     return std::equal(one.singularities.begin(), one.singularities.end(),
       other.singularities.begin(), other.singularities.end(),
       [&](const Singularity& a, const Singularity& b)
-      {
-        return a.quarterIndex == b.quarterIndex && (a.position - b.position).norm() < seen;
-      });
+      { return a.quarterIndex == b.quarterIndex && (a.position - b.position).norm() < seen; });
   };
   for (auto& [other, quadsAtHoles, movesForSizes] : candidates)
   {
@@ -381,9 +376,8 @@ ClearanceFactors ClearanceAtHoles(const PlanarDomain& domain, double quadSize, d
   ClearanceFactors factors;
   for (std::size_t l = 0; l < domain.loops.size(); ++l)
   {
-    const double distance = l == 0
-      ? 0.0
-      : std::min(quads * quadSize, 0.5 * GapAround(domain, l) - quadSize);
+    const double distance =
+      l == 0 ? 0.0 : std::min(quads * quadSize, 0.5 * GapAround(domain, l) - quadSize);
     factors.emplace_back(domain.loops[l].size(), std::max(1.0, distance / least));
   }
   return factors;
@@ -457,7 +451,7 @@ AutomaticConfiguration ChooseConfiguration(
       run.optimizer.clearance = starts[i].clearance;
       if (minimum.optimizer.quadSize > 0.0)
       {
-        SetClearance(domain, options, 0.0, run.optimizer);
+        run.optimizer.clearance = clearance;
       }
     }
     AutomaticConfiguration tried =
@@ -496,8 +490,8 @@ AutomaticConfiguration ChooseConfiguration(
     if (options.finalists > 1 && !best.optimum.aborted &&
       best.singularities.size() <= ManySingularities)
     {
-      best.others = FitOthers(
-        domain, options, starts, unfitted, best, isUneven, progress.Part(0.95, 1.0));
+      best.others =
+        FitOthers(domain, options, starts, unfitted, best, isUneven, progress.Part(0.95, 1.0));
     }
   }
   return best;

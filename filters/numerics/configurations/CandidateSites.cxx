@@ -123,8 +123,7 @@ private:
         const auto nearest = std::min_element(orbit.begin(), orbit.end(),
           [&](const Point& a, const Point& b)
           { return (a - image).squaredNorm() < (b - image).squaredNorm(); });
-        this->Sites.images[g].push_back(
-          first + static_cast<std::size_t>(nearest - orbit.begin()));
+        this->Sites.images[g].push_back(first + static_cast<std::size_t>(nearest - orbit.begin()));
       }
     }
   }
@@ -243,8 +242,7 @@ void AddLattice(const PlanarDomain& domain, double clearance, SiteCollection& si
       const double distance = sites.DistanceAt(place);
       if (distance >= 1.02 * clearance)
       {
-        candidates.push_back(
-          { place, std::clamp(0.6 * distance, 1.5 * clearance, largest) });
+        candidates.push_back({ place, std::clamp(0.6 * distance, 1.5 * clearance, largest) });
       }
     }
   }

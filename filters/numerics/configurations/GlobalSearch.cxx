@@ -36,8 +36,7 @@ std::vector<SearchedConfiguration> SearchConfigurations(const PlanarDomain& doma
   {
     return {};
   }
-  const int total =
-    CountQuarters(domain.loops, 0, cornerAngle, corners).requiredInteriorQuarters;
+  const int total = CountQuarters(domain.loops, 0, cornerAngle, corners).requiredInteriorQuarters;
   const CandidateSites sites = FindCandidateSites(domain, clearance);
   if (sites.positions.empty())
   {

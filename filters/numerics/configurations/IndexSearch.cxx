@@ -183,7 +183,8 @@ public:
   double Single(Eigen::Index orbit, int change) const
   {
     const int index = this->Indices[orbit];
-    return change * this->Gradient[orbit] + 0.5 * change * change * this->Form.matrix(orbit, orbit) +
+    return change * this->Gradient[orbit] +
+      0.5 * change * change * this->Form.matrix(orbit, orbit) +
       this->NodeCost * this->Form.sizes[orbit] * (std::abs(index + change) - std::abs(index));
   }
 
@@ -208,8 +209,8 @@ public:
       change += this->Single(move.orbits[a], move.changes[a]);
       for (int b = 0; b < a; ++b)
       {
-        change += move.changes[a] * move.changes[b] *
-          this->Form.matrix(move.orbits[a], move.orbits[b]);
+        change +=
+          move.changes[a] * move.changes[b] * this->Form.matrix(move.orbits[a], move.orbits[b]);
       }
     }
     return change;
@@ -475,8 +476,7 @@ private:
           if ((isPresent || indices[j] > 0) && i != j && state.Allows(j, -1))
           {
             lowest.Add(state,
-              { { i, j }, { 1, -1 }, 2,
-                single + state.Single(j, -1) - this->Form.matrix(i, j) });
+              { { i, j }, { 1, -1 }, 2, single + state.Single(j, -1) - this->Form.matrix(i, j) });
           }
         }
       }
@@ -541,8 +541,8 @@ private:
               {
                 lowest.Add(state,
                   { { i, parts[a], parts[b] }, { sign, -sign, -sign }, 3,
-                    both + state.Single(i, sign) -
-                      this->Form.matrix(i, parts[a]) - this->Form.matrix(i, parts[b]) });
+                    both + state.Single(i, sign) - this->Form.matrix(i, parts[a]) -
+                      this->Form.matrix(i, parts[b]) });
               }
             }
           }
@@ -564,7 +564,8 @@ std::size_t CountSymmetries(const CandidateSites& sites, const Eigen::VectorXi& 
     bool isKept = true;
     for (std::size_t i = 0; i < images.size() && isKept; ++i)
     {
-      isKept = indices[static_cast<Eigen::Index>(images[i])] == indices[static_cast<Eigen::Index>(i)];
+      isKept =
+        indices[static_cast<Eigen::Index>(images[i])] == indices[static_cast<Eigen::Index>(i)];
     }
     count += isKept ? 1U : 0U;
   }

@@ -69,9 +69,9 @@ struct OptimizerResult
   /// Singularities in the order given, without those that were removed, followed by those that left
   /// the boundary and by added pairs.
   Configuration configuration;
-  double energyBefore = 0.0;              ///< W at the start.
-  double energyAfter = 0.0;               ///< W at the result.
-  double coreEnergy = 0.0;                ///< OptimizerStage::CoreEnergy of the result.
+  double energyBefore = 0.0; ///< W at the start.
+  double energyAfter = 0.0;  ///< W at the result.
+  double coreEnergy = 0.0;   ///< OptimizerStage::CoreEnergy of the result.
   /// What configurations are compared by (docs/method.md §5.6): the core energy less
   /// WorthOfSymmetries of the symmetries of the domain that map the singularities to places within
   /// a quarter of a quad.

@@ -79,9 +79,10 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
 double OptimizerRun::Objective() const
 {
   constexpr double SeenPart = 0.25; // of a quad: less is not seen in a mesh
-  const std::size_t symmetries = MatchSymmetry(this->Stage.At(this->Current.positions).singularities,
-    FindSymmetries(this->Domain), SeenPart * this->Stage.quadSize)
-                                   .elements.size();
+  const std::size_t symmetries =
+    MatchSymmetry(this->Stage.At(this->Current.positions).singularities,
+      FindSymmetries(this->Domain), SeenPart * this->Stage.quadSize)
+      .elements.size();
   return this->Stage.CoreEnergy(this->Current) - WorthOfSymmetries(symmetries);
 }
 

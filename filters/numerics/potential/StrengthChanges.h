@@ -102,7 +102,8 @@ private:
   Eigen::VectorXd Regular; ///< R on each half.
   Eigen::VectorXd Growth;  ///< Growth of the phase along each half.
   Eigen::VectorXd Defects;
-  Eigen::MatrixXd DefectEnergy; ///< The harmonic field of defects d has energy ½ d · DefectEnergy d.
+  Eigen::MatrixXd
+    DefectEnergy; ///< The harmonic field of defects d has energy ½ d · DefectEnergy d.
   Eigen::MatrixXd PeriodBasis; ///< PointPotential::GetPeriodBasis on each half.
   double SingleValued = 0.0;   ///< Single-valued W.
   double Coefficient = 0.0;    ///< Logarithm coefficient.

@@ -224,7 +224,8 @@ private:
     QuantisationProblem problem = MakeQuantisationProblem(this->Result.tMesh, std::move(target));
     problem.sums = this->Sums;
     this->Graded.SetWeights(problem);
-    constexpr double WithoutEdges = 1000.0; // factor of the cost of an edge where there should be none
+    constexpr double WithoutEdges =
+      1000.0; // factor of the cost of an edge where there should be none
     for (const std::size_t arc : this->Options.arcsWithoutEdges)
     {
       problem.target[arc] = 0.0;

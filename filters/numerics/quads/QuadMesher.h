@@ -28,8 +28,8 @@ struct QuadOptions
   /// Arcs of the T-mesh that get no edges, unless no counts permit that: those without edges in
   /// counts of the same arcs for other sizes.
   std::vector<std::size_t> arcsWithoutEdges;
-  bool hold = false;            ///< Keeps inner singularities at their positions in smoothing.
-  bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
+  bool hold = false;  ///< Keeps inner singularities at their positions in smoothing.
+  bool smooth = true; ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.
   bool coarse = false;
 };

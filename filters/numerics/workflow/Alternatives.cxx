@@ -10,7 +10,8 @@
 
 namespace crossfield
 {
-Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount)
+Alternative AlternativeOf(
+  const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount)
 {
   const QuadQuality& quality = quads.quality;
   Alternative one;
@@ -45,13 +46,12 @@ std::vector<std::size_t> OrderAlternatives(
   {
     const bool isPoor = one.attained < attained - SeenInShape ||
       (preference != MeshPreference::Uniform && one.sizeVariation > variation + SeenInSizes);
-    const double first = !preference ? one.rank
+    const double first = !preference          ? one.rank
       : *preference == MeshPreference::Nodes  ? one.nodes
       : *preference == MeshPreference::Blocks ? one.blocks
                                               : one.sizeVariation;
-    return std::make_tuple(!one.isValid, isPoor, one.excess > 0.0, first, preference ? 0 : -one.symmetries,
-      one.blocks, one.nodes,
-      one.sizeVariation);
+    return std::make_tuple(!one.isValid, isPoor, one.excess > 0.0, first,
+      preference ? 0 : -one.symmetries, one.blocks, one.nodes, one.sizeVariation);
   };
   std::vector<std::size_t> order(alternatives.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

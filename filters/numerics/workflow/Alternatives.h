@@ -23,13 +23,14 @@ struct Alternative
   int blocks = 0;
   double scaledJacobian = 0.0; ///< Minimum.
   double sizeVariation = 0.0;
-  int symmetries = 1;          ///< Of the mesh.
+  int symmetries = 1;    ///< Of the mesh.
   double attained = 0.0; ///< The minimum scaled Jacobian in parts of the attainable one.
-  double excess = 0.0; ///< CountExcess.
-  bool isValid = true; ///< Without inverted quads, and with nearly the requested number of quads.
+  double excess = 0.0;   ///< CountExcess.
+  bool isValid = true;   ///< Without inverted quads, and with nearly the requested number of quads.
 };
 
-Alternative AlternativeOf(const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount);
+Alternative AlternativeOf(
+  const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount);
 
 /// Returns the order of alternatives, the best first (docs/method.md §14.14). Those are last that are
 /// not valid, whose shapes are worse than the best by more than 0.03 of the attainable minimum scaled

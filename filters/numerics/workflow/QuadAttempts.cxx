@@ -233,8 +233,8 @@ private:
         error = error ? error : outcome.error;
         continue;
       }
-      alternatives.push_back(AlternativeOf(outcome.value->quads, outcome.value->singularities.size(),
-        this->Request.quadSize, this->Request.quadCount));
+      alternatives.push_back(AlternativeOf(outcome.value->quads,
+        outcome.value->singularities.size(), this->Request.quadSize, this->Request.quadCount));
       alternatives.back().rank = this->Placed->RankOf(i);
       results.push_back(std::move(*outcome.value));
       choices.push_back(std::move(steps));

@@ -21,10 +21,7 @@ public:
   /// Continues with another configuration, 0 for the first. Throws Error as Place does.
   void UseChoice(std::size_t choice);
   /// Returns AutomaticConfiguration::rank of a choice.
-  int RankOf(std::size_t choice) const
-  {
-    return choice == 0 ? 0 : this->Others[choice - 1].rank;
-  }
+  int RankOf(std::size_t choice) const { return choice == 0 ? 0 : this->Others[choice - 1].rank; }
   /// Repairs the holonomy although that was not requested. Throws Error if that is impossible, or
   /// there is nothing to repair.
   void RepairHolonomy(const Progress& progress);

@@ -186,8 +186,7 @@ void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* dat
 }
 
 //------------------------------------------------------------------------------
-void WriteAlternatives(
-  const std::vector<crossfield::Alternative>& alternatives, vtkFieldData* data)
+void WriteAlternatives(const std::vector<crossfield::Alternative>& alternatives, vtkFieldData* data)
 {
   if (alternatives.size() < 2)
   {

@@ -140,8 +140,8 @@ TEST(GlobalSearch, FindsKnownMinima)
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(CountIndices(found[0].singularities), part.counts);
     EXPECT_EQ(found[0].symmetries, part.symmetries);
-    EXPECT_NEAR(OptimizedEnergy(part.domain, found[0].singularities), part.energy,
-      0.01 * part.energy);
+    EXPECT_NEAR(
+      OptimizedEnergy(part.domain, found[0].singularities), part.energy, 0.01 * part.energy);
   }
 }
 
@@ -178,7 +178,8 @@ TEST(GlobalSearch, IsInvariant)
     EXPECT_EQ(CountIndices(one.singularities), CountIndices(other.singularities));
     EXPECT_EQ(one.symmetries, other.symmetries);
   }
-  EXPECT_NEAR(found[1].objective - found[0].objective, again[1].objective - again[0].objective, 2.0);
+  EXPECT_NEAR(
+    found[1].objective - found[0].objective, again[1].objective - again[0].objective, 2.0);
 }
 
 TEST(GlobalSearch, NeedsNothing)
