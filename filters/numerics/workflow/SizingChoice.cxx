@@ -142,6 +142,7 @@ std::vector<std::string> ChooseSizing(
         best = grade;
         meshed.quads = std::move(uniform);
         options = std::move(other);
+        options.arcsWithoutEdges.clear(); // they are those of these layouts only
         isChanged = true;
       }
       const bool movesNext = i + 1 < steps.size() && steps[i].hold && !steps[i + 1].hold;
