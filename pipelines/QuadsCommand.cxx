@@ -352,7 +352,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
   command->add_option(
     "--layout", options->layout, "write the sides of the blocks to this .vtp file");
-  AddClearanceTo(*command, options->clearance, "0.7 of the size of quads");
+  AddClearanceTo(
+    *command, options->clearance, "0.7 of the size of quads, up to 1.5 at holes far from others");
   AddPairsTo(*command, options->pairs);
   AddCapCornersTo(*command, options->capCorners, "--cap-corners,!--no-cap-corners");
   command->add_flag("--hold", options->hold,

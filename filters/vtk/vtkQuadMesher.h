@@ -308,7 +308,7 @@ public:
   ///@{
   /**
    * Sets the minimum distance of chosen singularities from the boundary and from each other.
-   * Default: 0, 0.7 of the size of quads. Range: 0 or more.
+   * Default: 0, 0.7 of the size of quads, up to 1.5 at holes far from others. Range: 0 or more.
    */
   vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);

@@ -41,6 +41,30 @@ class Quads(ProgramTest):
                      "blocks/block4.vts"):
             self.assertTrue((self.folder / name).is_file(), name)
 
+    def test_several_configurations_are_meshed(self):
+        """A disk with three holes: ten singularities with the symmetries of the part, or eight."""
+        def circle(x, y, radius, count):
+            return [(x + radius * math.cos(2 * math.pi * i / count), y + radius * math.sin(2 * math.pi * i / count))
+                    for i in range(count)]
+        loops = [circle(0, 0, 1, 180)]
+        for turn in (0, 1, 2):
+            angle = 2 * math.pi * turn / 3
+            loops.append(circle(0.6 * math.cos(angle), 0.6 * math.sin(angle), 0.1, 36))
+        text = {"type": "Polygon", "coordinates": [loop + [loop[0]] for loop in loops]}
+        (self.folder / "disk.geojson").write_text(json.dumps(text))
+        report = self.report("disk.geojson", "--quads", "1500")
+        self.assertEqual((len(report["singularities"]), report["blocks"], report["symmetries"]), (10, 27, 6))
+        alternatives = report["alternatives"]
+        self.assertEqual(alternatives[0], {"nodes": 10, "blocks": 27, "size_variation": report["size_variation"],
+                                           "scaled_jacobian": report["scaled_jacobian"]["min"]})
+        self.assertEqual(min(one["nodes"] for one in alternatives), 8)
+        nodes = self.report("disk.geojson", "--quads", "1500", "--prefer", "nodes")
+        even = self.report("disk.geojson", "--quads", "1500", "--prefer", "uniform")
+        self.assertLessEqual(even["size_variation"], nodes["size_variation"])
+        same = [sorted(map(str, one["alternatives"])) for one in (report, nodes, even)]
+        self.assertEqual(same[1:], same[:2])
+        self.refuse("quads", "disk.geojson", "-o", "a.vtu", "--prefer", "all", says=["nodes", "blocks", "uniform"])
+
     def test_the_text_is_two_lines_unless_it_is_verbose(self):
         """The events are in the report in any case; warnings are on standard error."""
         arguments = ("quads", "builtin:disk", "-o", "quads.vtu", "--blocks", "blocks.vtm", "--quads", "300")

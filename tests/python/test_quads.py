@@ -52,6 +52,17 @@ class Quads(unittest.TestCase):
                 del report["seconds"], report["integers"]["seconds"]
             self.assertEqual(json.dumps(found, sort_keys=True), json.dumps(expected, sort_keys=True))
 
+    def test_another_configuration_is_used(self):
+        loops = [[(np.cos(t), np.sin(t)) for t in np.linspace(0, 2 * np.pi, 181)[:-1]]]
+        for turn in range(3):
+            x, y = 0.6 * np.cos(2 * np.pi * turn / 3), 0.6 * np.sin(2 * np.pi * turn / 3)
+            loops.append([(x + 0.1 * np.cos(t), y + 0.1 * np.sin(t)) for t in np.linspace(0, 2 * np.pi, 37)[:-1]])
+        found = [crossfield.quads(loops, count=1500, alternative=i).report for i in (0, 1)]
+        listed = found[0]["alternatives"]
+        self.assertEqual(listed, found[1]["alternatives"])
+        for report, one in zip(found, listed):
+            self.assertEqual((report["blocks"], report["scaled_jacobian"]["min"]), (one["blocks"], one["scaled_jacobian"]))
+
     def test_nodes_of_periodic_sides_match_at_every_order(self):
         x = np.linspace(0, 2, 41)
         low = np.c_[x, 0.15 * np.sin(4 * x)]
@@ -398,6 +409,7 @@ class Quads(unittest.TestCase):
         self.refused("not positive", "builtin:disk", size=-0.1)
         self.refused("no sizing 'even'; choose auto, conformal, uniform", "builtin:disk", sizing="even")
         self.refused("no merge 'all'; choose none, clean, coarse", "builtin:disk", merge="all")
+        self.refused("no preference 'all'; choose nodes, blocks, uniform", "builtin:disk", prefer="all")
         self.refused("give both or none", "builtin:disk", sizing="field")
         self.refused("give both or none", "builtin:disk", size_array="Length")
         self.refused("leave size out", "builtin:disk", sizing="field", size_array="Length", size=0.1)

@@ -123,7 +123,7 @@ double RequestedClearance(const PlanarDomain& domain, const AutomaticOptions& op
                                             : ClearanceForQuads(ResolveQuadSize(domain, options));
 }
 
-/// Sets the clearance for quads, with more room at holes unless a clearance or factors are requested.
+/// Sets the clearance for quads, larger at holes unless a clearance or factors are requested.
 void SetClearance(const PlanarDomain& domain, const AutomaticOptions& options, double quadsAtHoles,
   OptimizerOptions& run)
 {
@@ -329,7 +329,7 @@ std::vector<AutomaticConfiguration> FitOthers(const PlanarDomain& domain,
     }
   }
   candidates.erase(candidates.begin() +
-      static_cast<std::ptrdiff_t>(std::min(candidates.size(), options.finalists - 1)),
+      static_cast<std::ptrdiff_t>(std::min(candidates.size(), options.configurations - 1)),
     candidates.end());
   // One that takes longer than the best is not worth it.
   AutomaticOptions limited = options;
@@ -448,11 +448,7 @@ AutomaticConfiguration ChooseConfiguration(
     if (starts[i].clearance > 0.0)
     {
       run.optimizer.keepAll = true;
-      run.optimizer.clearance = starts[i].clearance;
-      if (minimum.optimizer.quadSize > 0.0)
-      {
-        run.optimizer.clearance = clearance;
-      }
+      run.optimizer.clearance = clearance > 0.0 ? clearance : starts[i].clearance;
     }
     AutomaticConfiguration tried =
       Optimize(domain, starts[i], run, progress.Part(begin, begin + share));
@@ -487,7 +483,7 @@ AutomaticConfiguration ChooseConfiguration(
       FitToQuads(domain, options, UsualQuadsAtHoles, true, progress.Part(0.85, 0.95), best);
     // The more there are, the less configurations differ, and the longer each takes.
     constexpr std::size_t ManySingularities = 60;
-    if (options.finalists > 1 && !best.optimum.aborted &&
+    if (options.configurations > 1 && !best.optimum.aborted &&
       best.singularities.size() <= ManySingularities)
     {
       best.others =

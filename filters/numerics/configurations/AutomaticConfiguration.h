@@ -25,19 +25,19 @@ struct AutomaticOptions
   /// number. The run that follows for quads may take half as many.
   std::size_t maximumSolves = 2000;
   /// Maximum number of configurations for quads that are returned, the best and others.
-  std::size_t finalists = 1;
+  std::size_t configurations = 1;
 };
 
 /// Returns the recommended clearance of singularities for quads of a size: 0.7 of it
 /// (docs/method.md §5.6).
 double ClearanceForQuads(double quadSize);
 
-/// Number of quads between the boundary of a hole and singularities, where there is room
-/// (docs/method.md §5.6).
+/// Number of quads between the boundary of a hole and singularities, where the gap to the next loop
+/// permits (docs/method.md §5.10).
 constexpr double UsualQuadsAtHoles = 1.5;
 
-/// Returns the factors of ClearanceForQuads at the sides of inner loops with room for more: up to a
-/// number of quads, and at most one quad less than half of the gap to the nearest other loop.
+/// Returns the factors, at least 1, of ClearanceForQuads at the sides of inner loops, for a distance of
+/// a number of quads, but at most one quad less than half of the gap to the nearest other loop.
 ClearanceFactors ClearanceAtHoles(
   const PlanarDomain& domain, double quadSize, double quads = UsualQuadsAtHoles);
 
@@ -54,7 +54,7 @@ struct AutomaticConfiguration
   /// Decisions and events, one sentence each.
   std::vector<std::string> events;
   int rank = 0; ///< Of its objective: 0 for the best, wherever its singularities are.
-  /// Others for the same quads, if AutomaticOptions::finalists permits: the same singularities where
+  /// Others for the same quads, if AutomaticOptions::configurations permits: the same singularities where
   /// they have not moved for uniform sizes, nearer to holes and farther away, and other minima.
   std::vector<AutomaticConfiguration> others;
 };

@@ -20,8 +20,8 @@ double SiteClearance(const PlanarDomain& domain);
 
 /// Searches all configurations at candidate sites (docs/method.md §5.10): W is a quadratic form in
 /// the quarter indices there, so that every exchange of two singularities costs one addition.
-/// Returns different minima, the best first; none if the domain has no room for sites, or its holes are too
-/// close to each other for a search.
+/// Returns different minima, the best first; none if no site is far enough from the boundary, or
+/// holes are very close to each other.
 std::vector<SearchedConfiguration> SearchConfigurations(const PlanarDomain& domain,
   const std::vector<CornerChoice>& corners, double cornerAngle, const Progress& progress = {});
 }

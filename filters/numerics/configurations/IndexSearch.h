@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CandidateSites.h"
-#include "StrengthChanges.h"
+#include "IndexForm.h"
 
 namespace crossfield
 {
@@ -13,14 +13,6 @@ struct SiteIndices
   std::size_t symmetries = 1;
   /// The quadratic form, with the energy of the holonomy defects.
   double energy = 0.0;
-};
-
-/// The form of StrengthChanges in the indices themselves: up to a constant, linear · k + ½ k · matrix k
-/// for all k with the sum `total`.
-struct IndexForm
-{
-  StrengthChanges::Form form;
-  int total = 0;
 };
 
 /// Searches quarter indices at sites with a sum for minima of the energy

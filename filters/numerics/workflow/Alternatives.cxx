@@ -33,25 +33,28 @@ std::vector<std::size_t> OrderAlternatives(
   constexpr double SeenInShape = 0.03;
   constexpr double SeenInSizes = 0.1;
   double attained = 0.0;
+  double jacobian = 0.0;
   double variation = std::numeric_limits<double>::infinity();
   for (const Alternative& one : alternatives)
   {
     if (one.isValid)
     {
       attained = std::max(attained, one.attained);
+      jacobian = std::max(jacobian, one.scaledJacobian);
       variation = std::min(variation, one.sizeVariation);
     }
   }
   const auto key = [&](const Alternative& one)
   {
-    const bool isPoor = one.attained < attained - SeenInShape ||
+    const bool isPoor =
+      (one.attained < attained - SeenInShape && one.scaledJacobian < jacobian - SeenInShape) ||
       (preference != MeshPreference::Uniform && one.sizeVariation > variation + SeenInSizes);
     const double first = !preference          ? one.rank
       : *preference == MeshPreference::Nodes  ? one.nodes
       : *preference == MeshPreference::Blocks ? one.blocks
                                               : one.sizeVariation;
-    return std::make_tuple(!one.isValid, isPoor, one.excess > 0.0, first,
-      preference ? 0 : -one.symmetries, one.blocks, one.nodes, one.sizeVariation);
+    return std::make_tuple(!one.isValid, isPoor, first, preference ? 0 : -one.symmetries,
+      one.excess > 0.0, one.blocks, one.nodes, one.sizeVariation);
   };
   std::vector<std::size_t> order(alternatives.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

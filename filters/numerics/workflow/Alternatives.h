@@ -33,11 +33,11 @@ Alternative AlternativeOf(
   const QuadResult& quads, std::size_t nodes, double quadSize, int quadCount);
 
 /// Returns the order of alternatives, the best first (docs/method.md §14.14). Those are last that are
-/// not valid, whose shapes are worse than the best by more than 0.03 of the attainable minimum scaled
-/// Jacobian, or, unless uniform sizes are preferred, whose variation of sizes is larger than the
-/// smallest by more than 0.1. Among the others, those with the requested number of quads come first.
-/// Without a preference, the lowest rank follows, and then the most symmetric mesh with the fewest
-/// blocks and the most uniform sizes.
+/// not valid, whose minimum scaled Jacobian is lower than the largest by more than 0.03, also in parts
+/// of the attainable one, or, unless uniform sizes are preferred, whose variation of sizes is larger
+/// than the smallest by more than 0.1. Without a preference, the lowest rank comes first, and then the
+/// most symmetric mesh. Among equal ones follow the requested number of quads, the fewest blocks and
+/// nodes, and the most uniform sizes.
 std::vector<std::size_t> OrderAlternatives(
   const std::vector<Alternative>& alternatives, std::optional<MeshPreference> preference);
 }

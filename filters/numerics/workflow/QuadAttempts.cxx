@@ -249,6 +249,10 @@ private:
       order[std::min(static_cast<std::size_t>(this->Request.alternative), order.size() - 1)];
     this->Placed.emplace(std::move(choices[used]));
     QuadWorkflowResult result = std::move(results[used]);
+    if (error)
+    {
+      result.events.push_back("Another configuration has no quads. " + std::string(error->what()));
+    }
     for (const std::size_t i : order)
     {
       result.alternatives.push_back(alternatives[i]);

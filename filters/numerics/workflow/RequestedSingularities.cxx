@@ -33,8 +33,9 @@ AutomaticOptions OptionsFor(const PlanarDomain& domain, const ResolvedRequest& r
   options.quadSize = request.quadSize;
   options.quadCount = request.quadCount;
   // Rows of layers and prescribed sizes of sides are made for the first one only.
-  constexpr std::size_t Finalists = 5;
-  options.finalists = request.layers.empty() && request.prescribed.empty() ? Finalists : 1;
+  constexpr std::size_t Configurations = 5;
+  options.configurations =
+    request.layers.empty() && request.prescribed.empty() ? Configurations : 1;
   if (request.sizing == Sizing::Field)
   {
     RelativeSizes sizes = ComputeRelativeSizes(request.prescribedSizes, domain, request.meshSize);

@@ -61,12 +61,12 @@ bool IsShapeKept(const MeshGrade& conformal)
 }
 
 /// Returns whether uniform sizes have the shapes and the blocks of a mesh with conformal ones.
-bool KeepsShape(const QuadResult& uniform, const QuadResult& conformal)
+bool KeepsShape(const QuadResult& uniform, double conformalJacobian, std::size_t conformalBlocks)
 {
   // Of the minimum scaled Jacobian: less is not noticed.
   constexpr double KeptPart = 0.975;
-  return uniform.quality.jacobian.min >= KeptPart * conformal.quality.jacobian.min &&
-    uniform.blocks.blocks.size() <= conformal.blocks.blocks.size();
+  return uniform.quality.jacobian.min >= KeptPart * conformalJacobian &&
+    uniform.blocks.blocks.size() <= conformalBlocks;
 }
 
 std::vector<std::size_t> ArcsWithoutEdges(const QuadResult& quads)
@@ -106,7 +106,8 @@ std::vector<std::string> ChooseSizing(
   {
     given.arcsWithoutEdges = ArcsWithoutEdges(meshed.quads);
   }
-  const QuadResult conformal = meshed.quads;
+  const double jacobian = meshed.quads.quality.jacobian.min;
+  const std::size_t blocks = meshed.quads.blocks.blocks.size();
   const auto optionsFor = [&](std::size_t i)
   {
     QuadOptions other = given;
@@ -137,7 +138,7 @@ std::vector<std::string> ChooseSizing(
     {
       QuadOptions other = optionsFor(i);
       const MeshGrade grade = gradeOf(uniform);
-      if (grade < best && (!isShapeKept || KeepsShape(uniform, conformal)))
+      if (grade < best && (!isShapeKept || KeepsShape(uniform, jacobian, blocks)))
       {
         best = grade;
         meshed.quads = std::move(uniform);

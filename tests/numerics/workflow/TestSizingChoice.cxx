@@ -46,6 +46,20 @@ TEST(SizingChoice, MakesSizesUniformWhereShapesStayGood)
   EXPECT_EQ(automatic.singularities.size(), conformal.singularities.size());
 }
 
+TEST(SizingChoice, ArcsWithoutEdgesAreThoseOfOneLayout)
+{
+  // Blocks that are merged in place belong to another layout, whose arcs have other numbers.
+  for (const BlockMerge merge : { BlockMerge::Clean, BlockMerge::Coarse })
+  {
+    QuadRequest request;
+    request.quadCount = 600;
+    request.merge = merge;
+    const QuadWorkflowResult merged = MakeQuadMesh(Plate(), request);
+    EXPECT_EQ(merged.quads.quality.inverted, 0);
+    EXPECT_LE(static_cast<int>(merged.quads.blocks.blocks.size()), *merged.blocks.none);
+  }
+}
+
 TEST(SizingChoice, RetainsAGoodConformalMesh)
 {
   const PlanarDomain shape = Builtin("l-shape");
