@@ -1,5 +1,6 @@
 #include "AutomaticConfiguration.h"
 
+#include "CurveSymmetry.h"
 #include "DrillHoles.h"
 #include "Error.h"
 #include "HolePattern.h"
@@ -168,7 +169,7 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
 void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options, double distance,
   const Progress& progress, AutomaticConfiguration& result)
 {
-  const SymmetryGroup group = FindSymmetries(domain);
+  const SymmetryGroup group = FindCurveSymmetries(domain);
   const auto count = [&](const Configuration& singularities, double reach)
   { return MatchSymmetry(singularities, group, reach).elements.size(); };
   const double exact = SymmetryReach * domain.Diagonal();
@@ -259,7 +260,7 @@ bool FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   {
     // The energy is flat within a quarter of a quad, and the error of the mesh decides on which
     // side of the symmetric position its minimum is.
-    MakeSymmetric(domain, FindSymmetries(domain), 0.25 * ResolveQuadSize(domain, options),
+    MakeSymmetric(domain, FindCurveSymmetries(domain), 0.25 * ResolveQuadSize(domain, options),
       result.singularities);
   }
   return isUneven;

@@ -1,5 +1,6 @@
 #include "CandidateSites.h"
 
+#include "CurveSymmetry.h"
 #include "HolePattern.h"
 #include "SegmentSearch.h"
 
@@ -38,7 +39,7 @@ public:
     , Clearance(clearance)
     , Reach(SymmetryReach * domain.Diagonal())
   {
-    this->Sites.group = Reduced(FindSymmetries(domain));
+    this->Sites.group = Reduced(FindCurveSymmetries(domain));
     this->Sites.elements = this->Sites.group.Elements();
     this->Sites.images.resize(this->Sites.elements.size());
   }

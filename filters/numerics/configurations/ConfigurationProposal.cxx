@@ -5,6 +5,7 @@
 #include "ConfigurationStarts.h"
 #include "ConfigurationSymmetry.h"
 #include "CornerEnergy.h"
+#include "CurveSymmetry.h"
 #include "DomainQueries.h"
 #include "Parts.h"
 #include "PoincareHopf.h"
@@ -30,7 +31,7 @@ public:
   ProposalEvaluation(const PlanarDomain& domain, const ProposalOptions& options)
     : Domain(domain)
     , Options(options)
-    , Symmetries(FindSymmetries(domain))
+    , Symmetries(FindCurveSymmetries(domain))
     , Radius(ResolveCoreRadius(options.coreRadius, domain))
     , IsFree(options.given.empty() && !options.cancelFlatCorners)
   {

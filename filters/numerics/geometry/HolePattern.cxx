@@ -7,33 +7,40 @@
 
 namespace crossfield
 {
-std::vector<RoundHole> FindRoundHoles(const PlanarDomain& domain)
+std::optional<Circle> CircleOf(const Loop& loop)
 {
   constexpr std::size_t FewestVertices = 12;
   constexpr double Tolerance = 0.01; // relative to the radius
+  if (loop.size() < FewestVertices)
+  {
+    return std::nullopt;
+  }
+  Circle circle;
+  double length = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Point& next = loop[(i + 1) % loop.size()];
+    const double edge = (next - loop[i]).norm();
+    circle.centre += 0.5 * edge * (loop[i] + next);
+    length += edge;
+  }
+  circle.centre /= length;
+  const auto distance = [&](const Point& point) { return (point - circle.centre).norm(); };
+  const auto [nearest, farthest] = std::minmax_element(loop.begin(), loop.end(),
+    [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
+  circle.radius = distance(*farthest);
+  return distance(*nearest) > (1.0 - Tolerance) * circle.radius ? std::optional<Circle>(circle)
+                                                                : std::nullopt;
+}
+
+std::vector<RoundHole> FindRoundHoles(const PlanarDomain& domain)
+{
   std::vector<RoundHole> holes;
   for (std::size_t l = 1; l < domain.loops.size(); ++l)
   {
-    const Loop& loop = domain.loops[l];
-    RoundHole hole;
-    hole.loop = l;
-    double length = 0.0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    if (const std::optional<Circle> circle = CircleOf(domain.loops[l]))
     {
-      const Point& next = loop[(i + 1) % loop.size()];
-      const double edge = (next - loop[i]).norm();
-      hole.centre += 0.5 * edge * (loop[i] + next);
-      length += edge;
-    }
-    hole.centre /= length;
-    const auto distance = [&](const Point& point) { return (point - hole.centre).norm(); };
-    const auto [nearest, farthest] = std::minmax_element(loop.begin(), loop.end(),
-      [&](const Point& a, const Point& b) { return distance(a) < distance(b); });
-    hole.radius = distance(*farthest);
-    if (loop.size() >= FewestVertices && distance(*nearest) > (1.0 - Tolerance) * hole.radius)
-    {
-      hole.gap = GapAround(domain, l);
-      holes.push_back(hole);
+      holes.push_back({ *circle, l, GapAround(domain, l) });
     }
   }
   return holes;

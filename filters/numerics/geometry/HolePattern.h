@@ -3,19 +3,28 @@
 #include "PlanarDomain.h"
 #include "Singularity.h"
 
+#include <optional>
+
 namespace crossfield
 {
-/// A boundary loop that is a circle.
-struct RoundHole
+struct Circle
 {
-  std::size_t loop = 0; ///< Loop of the domain.
   Point centre = Point::Zero();
   double radius = 0.0;
+};
+
+/// Returns the circle on which the vertices of a loop are, to 1 % of the radius. A loop with fewer
+/// than 12 vertices is a polygon.
+std::optional<Circle> CircleOf(const Loop& loop);
+
+/// A boundary loop that is a circle.
+struct RoundHole : Circle
+{
+  std::size_t loop = 0; ///< Loop of the domain.
   double gap = 0.0; ///< Distance to the other loops.
 };
 
-/// Finds the inner loops whose vertices are at one distance from their centre, to 1 %. Loops with
-/// fewer than 12 vertices are polygons.
+/// Returns the inner loops that are circles.
 std::vector<RoundHole> FindRoundHoles(const PlanarDomain& domain);
 
 std::vector<Point> Centres(const std::vector<RoundHole>& holes);

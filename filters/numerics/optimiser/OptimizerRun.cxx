@@ -1,5 +1,6 @@
 #include "OptimizerRun.h"
 
+#include "CurveSymmetry.h"
 #include "Error.h"
 #include "OptimizerPairs.h"
 #include "OptimizerReport.h"
@@ -81,7 +82,7 @@ double OptimizerRun::Objective() const
   constexpr double SeenPart = 0.25; // of a quad: less is not seen in a mesh
   const std::size_t symmetries =
     MatchSymmetry(this->Stage.At(this->Current.positions).singularities,
-      FindSymmetries(this->Domain), SeenPart * this->Stage.quadSize)
+      FindCurveSymmetries(this->Domain), SeenPart * this->Stage.quadSize)
       .elements.size();
   return this->Stage.CoreEnergy(this->Current) - WorthOfSymmetries(symmetries);
 }

@@ -3,6 +3,7 @@
 #include "OptimizerRun.h"
 
 #include "BoundaryAbsorption.h"
+#include "CurveSymmetry.h"
 #include "Error.h"
 #include "OptimizerCurvature.h"
 #include "OptimizerReport.h"
@@ -90,7 +91,7 @@ bool OptimizerRun::RestoreSymmetry()
   this->SymmetryTried = true;
   Configuration interior = this->Stage.objective->At(this->Current.positions);
   const ConfigurationSymmetry symmetry =
-    MatchWithBoundary(*this->Stage.potential, FindSymmetries(this->Domain), interior,
+    MatchWithBoundary(*this->Stage.potential, FindCurveSymmetries(this->Domain), interior,
       this->Options.objective.clearance, this->Stage.objective->SymmetryTest());
   if (symmetry.IsTrivial())
   {

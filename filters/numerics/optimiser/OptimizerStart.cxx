@@ -2,6 +2,7 @@
 
 #include "BoundaryCorners.h"
 #include "ConfigurationSymmetry.h"
+#include "CurveSymmetry.h"
 #include "DomainQueries.h"
 #include "Segment.h"
 #include "SegmentSearch.h"
@@ -205,7 +206,7 @@ double EnforceClearance(const PlanarDomain& domain, double clearance, Configurat
   // too close and have to be separated again.
   constexpr int MaximumRounds = 5;
   const ConfigurationSymmetry symmetry =
-    MatchSymmetry(configuration, FindSymmetries(domain), 1e-9 * domain.Diagonal());
+    MatchSymmetry(configuration, FindCurveSymmetries(domain), 1e-9 * domain.Diagonal());
   configuration = moved;
   for (int round = 0; round < MaximumRounds && !symmetry.IsTrivial(); ++round)
   {

@@ -1,5 +1,7 @@
 #include "OptimizerSymmetry.h"
 
+#include "CurveSymmetry.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +66,7 @@ OptimizerSymmetry FindKeptSymmetry(const PointPotential& potential, const Planar
     return TrivialSymmetry(potential, interior);
   }
   const double distance = SymmetryReach * domain.Diagonal();
-  SymmetryGroup group = FindSymmetries(domain);
+  SymmetryGroup group = FindCurveSymmetries(domain);
   OptimizerSymmetry symmetry;
   symmetry.positions = MatchWithBoundary(potential, group, interior, distance, keeps);
   if (!symmetry.IsTrivial() && group.reflects)

@@ -53,8 +53,9 @@ std::vector<std::size_t> OrderAlternatives(
       : *preference == MeshPreference::Nodes  ? one.nodes
       : *preference == MeshPreference::Blocks ? one.blocks
                                               : one.sizeVariation;
+    const double cost = one.sizeVariation / SeenInSizes - one.scaledJacobian / SeenInShape;
     return std::make_tuple(!one.isValid, isPoor, first, preference ? 0 : -one.symmetries,
-      one.excess > 0.0, one.blocks, one.nodes, one.sizeVariation);
+      one.excess > 0.0, one.blocks, one.nodes, cost);
   };
   std::vector<std::size_t> order(alternatives.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

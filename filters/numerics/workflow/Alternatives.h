@@ -37,7 +37,7 @@ Alternative AlternativeOf(
 /// of the attainable one, or, unless uniform sizes are preferred, whose variation of sizes is larger
 /// than the smallest by more than 0.1. Without a preference, the lowest rank comes first, and then the
 /// most symmetric mesh. Among equal ones follow the requested number of quads, the fewest blocks and
-/// nodes, and the most uniform sizes.
+/// nodes, and the best shapes and most uniform sizes: 0.03 of the one are worth 0.1 of the other.
 std::vector<std::size_t> OrderAlternatives(
   const std::vector<Alternative>& alternatives, std::optional<MeshPreference> preference);
 }

@@ -6,6 +6,7 @@
 #include "DomainExtent.h"
 #include "DomainParts.h"
 #include "Error.h"
+#include "ExactSymmetry.h"
 #include "InputCheck.h"
 #include "MakePlanarDomain.h"
 #include "UsedPoints.h"
@@ -302,12 +303,13 @@ Domain ReadDomain(vtkDataSet* input, vtkObject* self)
 {
   MergedCells merged = ReadMerged(input);
   WarnOfFlattening(merged.boundary.plane, self);
-  const Domain result{ crossfield::MakePlanarDomain(std::move(merged.boundary.loops)),
+  Domain result{ crossfield::MakePlanarDomain(std::move(merged.boundary.loops)),
     merged.boundary.plane };
   if (merged.cells->GetNumberOfPolys() > 0)
   {
     RequireCoveredOnce(merged.cells, { result });
   }
+  result.domain = crossfield::WithExactSymmetries(result.domain);
   return result;
 }
 
@@ -324,6 +326,10 @@ std::vector<Domain> ReadParts(vtkDataSet* input, vtkObject* self)
   if (merged.cells->GetNumberOfPolys() > 0)
   {
     RequireCoveredOnce(merged.cells, parts);
+  }
+  for (Domain& part : parts)
+  {
+    part.domain = crossfield::WithExactSymmetries(part.domain);
   }
   return parts;
 }

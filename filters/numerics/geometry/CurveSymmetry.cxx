@@ -1,0 +1,131 @@
+#include "CurveSymmetry.h"
+
+#include "HolePattern.h"
+#include "SegmentSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace crossfield
+{
+namespace
+{
+/// Less than is seen in a mesh: about a twentieth of the side of a usual quad.
+constexpr double CurveReach = 2e-3;
+
+/// The circles and the other loops of a domain, and its isometries about one centre.
+class CurveSet
+{
+public:
+  CurveSet(const PlanarDomain& domain, const Point& centre)
+    : Centre(centre)
+    , Reach(CurveReach * domain.Diagonal())
+  {
+    std::vector<SegmentSearch::Segment> sides;
+    for (const Loop& loop : domain.loops)
+    {
+      if (const std::optional<Circle> circle = CircleOf(loop))
+      {
+        this->Circles.push_back(*circle);
+        continue;
+      }
+      this->Vertices.insert(this->Vertices.end(), loop.begin(), loop.end());
+      for (std::size_t i = 0; i < loop.size(); ++i)
+      {
+        sides.push_back({ loop[i], loop[(i + 1) % loop.size()] });
+      }
+    }
+    if (!sides.empty())
+    {
+      this->Sides.emplace(std::move(sides));
+    }
+  }
+
+  bool IsSymmetry(const Isometry& map) const
+  {
+    const auto hasImage = [&](const Circle& circle)
+    {
+      const Point image = map(circle.centre);
+      return std::any_of(this->Circles.begin(), this->Circles.end(),
+        [&](const Circle& other)
+        {
+          return (other.centre - image).norm() <= this->Reach &&
+            std::abs(other.radius - circle.radius) <= this->Reach;
+        });
+    };
+    const Isometry inverse = map.Inverse();
+    const auto isNear = [&](const Point& point)
+    { return this->Sides->Find(point).squaredDistance <= this->Reach * this->Reach; };
+    return std::all_of(this->Circles.begin(), this->Circles.end(), hasImage) &&
+      std::all_of(this->Vertices.begin(), this->Vertices.end(),
+        [&](const Point& vertex) { return isNear(map(vertex)) && isNear(inverse(vertex)); });
+  }
+
+  /// Returns the angles from the centre at which an image of one feature may be: those of the
+  /// circles that are not concentric, or else those of the vertices of other loops.
+  std::vector<double> Directions() const
+  {
+    std::vector<double> directions;
+    const auto add = [&](const Point& place)
+    {
+      const Point offset = place - this->Centre;
+      if (offset.norm() > this->Reach)
+      {
+        directions.push_back(std::atan2(offset.y(), offset.x()));
+      }
+    };
+    for (const Circle& circle : this->Circles)
+    {
+      add(circle.centre);
+    }
+    if (directions.empty())
+    {
+      std::for_each(this->Vertices.begin(), this->Vertices.end(), add);
+    }
+    return directions;
+  }
+
+private:
+  std::vector<Circle> Circles;
+  std::vector<Point> Vertices; ///< Of the other loops.
+  std::optional<SegmentSearch> Sides;
+  Point Centre;
+  double Reach;
+};
+}
+
+SymmetryGroup FindCurveSymmetries(const PlanarDomain& domain)
+{
+  SymmetryGroup group = FindSymmetries(domain);
+  const CurveSet curves(domain, group.centre);
+  const std::vector<double> directions = curves.Directions();
+  constexpr int MostRotations = 24;
+  if (directions.empty() || group.order > MostRotations)
+  {
+    return group;
+  }
+  for (int order = MostRotations; order > group.order; --order)
+  {
+    if (order % group.order == 0 &&
+      curves.IsSymmetry({ group.centre, 2.0 * Pi / order, false }))
+    {
+      group.order = order;
+      break;
+    }
+  }
+  const double period = Pi / group.order;
+  for (std::size_t i = 0; i < directions.size() && !group.reflects; ++i)
+  {
+    const double twice = directions.front() + directions[i];
+    if (curves.IsSymmetry({ group.centre, twice, true }))
+    {
+      group.reflects = true;
+      group.axis = 0.5 * twice;
+    }
+  }
+  group.axis = std::fmod(group.axis, period);
+  group.axis += group.axis < 0.0 ? period : 0.0;
+  return group;
+}
+}
