@@ -420,8 +420,10 @@ AutomaticConfiguration ChooseConfiguration(
   minimum.optimizer.sizes = {};
   minimum.optimizer.pairs = 0;
 
+  ProposalOptions proposal = options.proposal;
+  proposal.quadSize = minimum.optimizer.quadSize;
   const std::vector<ProposedConfiguration> starts =
-    ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
+    ProposeConfigurations(domain, proposal, progress.Part(0.0, 0.4));
   AutomaticConfiguration best;
   std::size_t solves = 0;
   for (std::size_t i = 0; i < starts.size(); ++i)

@@ -6,7 +6,6 @@
 #include "DomainQueries.h"
 #include "FieldConfiguration.h"
 #include "GlobalSearch.h"
-#include "HolePattern.h"
 
 #include <cstdlib>
 #include <limits>
@@ -108,8 +107,8 @@ public:
     constexpr double SiteError = 8.0;
     constexpr std::size_t MostStarts = 4;
     constexpr std::size_t ManySingularities = 100; // each start takes long, and they hardly differ
-    const std::vector<SearchedConfiguration> found = SearchConfigurations(
-      this->Domain, this->Options.corners, this->Options.cornerAngle, progress);
+    const std::vector<SearchedConfiguration> found =
+      SearchConfigurations(this->Domain, this->Options, progress);
     const std::size_t first = this->Starts.size();
     const bool isLarge = !found.empty() && found[0].singularities.size() > ManySingularities;
     for (const SearchedConfiguration& one : found)
@@ -117,7 +116,12 @@ public:
       if (this->Starts.size() < first + (isLarge ? 1 : MostStarts) &&
         one.objective < found.front().objective + SiteError)
       {
-        this->Add(one.singularities, this->Options.corners, "search");
+        ProposedConfiguration start;
+        start.singularities = one.singularities;
+        start.corners = this->Options.corners;
+        start.origin = "search";
+        start.clearance = SiteClearance(this->Domain);
+        this->Starts.push_back(std::move(start));
       }
     }
     return !found.empty();
@@ -177,20 +181,10 @@ std::vector<ProposedConfiguration> FindStarts(
   StartCollection collection(domain, options);
   if (!options.cancelFlatCorners)
   {
-    // The search has more of the places around round holes than the field resolves, but no places on
-    // the boundary, where singularities end in other domains.
-    constexpr std::size_t FewestHoles = 2;
-    const std::size_t holes = FindRoundHoles(domain).size();
-    const bool isSearched = options.given.empty() && holes >= FewestHoles &&
-      holes + 1 == domain.loops.size() && collection.AddSearch(progress.Part(0.0, 0.5));
+    const bool isSearched = options.given.empty() && collection.AddSearch(progress.Part(0.0, 0.5));
     if (isSearched && !options.chooseCorners && !options.variations)
     {
-      std::vector<ProposedConfiguration> starts = collection.Release();
-      for (ProposedConfiguration& start : starts)
-      {
-        start.clearance = SiteClearance(domain);
-      }
-      return starts;
+      return collection.Release();
     }
     const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };
     const CoarseField coarse = SolveCoarseField(domain, reading, progress.Part(0.5, 1.0));

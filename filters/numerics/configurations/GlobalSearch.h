@@ -15,13 +15,15 @@ struct SearchedConfiguration
 };
 
 /// Returns the distance of candidate sites from the boundary: a hundredth of the diagonal, or a
-/// quarter of the median gap between round holes, if that is less.
+/// quarter of the median gap around inner loops, if that is less.
 double SiteClearance(const PlanarDomain& domain);
 
 /// Searches all configurations at candidate sites (docs/method.md §5.10): W is a quadratic form in
-/// the quarter indices there, so that every exchange of two singularities costs one addition.
-/// Returns different minima, the best first; none if no site is far enough from the boundary, or
-/// holes are very close to each other.
-std::vector<SearchedConfiguration> SearchConfigurations(const PlanarDomain& domain,
-  const std::vector<CornerChoice>& corners, double cornerAngle, const Progress& progress = {});
+/// the quarter indices there, so that every exchange of two singularities costs one addition. The
+/// options give the corners, and the size of quads that decides which indices the boundary may have
+/// (BoundaryVertices::Allows). Singularities on the boundary replace the index there. Returns
+/// different minima, the best first; none if no site is far enough from the boundary, or inner loops
+/// are closer to each other than the sites.
+std::vector<SearchedConfiguration> SearchConfigurations(
+  const PlanarDomain& domain, const ProposalOptions& options = {}, const Progress& progress = {});
 }

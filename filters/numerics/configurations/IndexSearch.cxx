@@ -9,23 +9,37 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <tuple>
 
 namespace crossfield
 {
 namespace
 {
+/// Which moves are regarded.
+enum class NodeChanges
+{
+  Any,
+  None, ///< Those that keep the number of nodes.
+  More  ///< Those that add nodes.
+};
+
 /// Keeps the moves that change the form least.
 class LowestMoves
 {
 public:
+  explicit LowestMoves(NodeChanges changes)
+    : Changes(changes)
+  {
+  }
+
   void Add(const OrbitState& state, Move move)
   {
     if (this->Moves.size() == Capacity && !(move.energy < this->Moves.front().energy))
     {
       return;
     }
-    if (!state.IsFree(move))
+    if (!this->Accepts(state.NodeChange(move)) || !state.IsFree(move))
     {
       return;
     }
@@ -45,7 +59,14 @@ public:
   std::vector<Move> Release() { return std::move(this->Moves); }
 
 private:
+  bool Accepts(int change) const
+  {
+    return this->Changes == NodeChanges::Any ||
+      (this->Changes == NodeChanges::None ? change == 0 : change > 0);
+  }
+
   static constexpr std::size_t Capacity = 400;
+  NodeChanges Changes;
   std::vector<Move> Moves; ///< A heap.
 };
 
@@ -73,11 +94,53 @@ public:
         return std::nullopt;
       }
     }
-    constexpr int MaximumMoves = 2000;
-    for (int move = 0; move < MaximumMoves && this->Exchange(state); ++move)
-    {
-    }
+    this->Descend(NodeChanges::Any, state);
     return state;
+  }
+
+  /// Returns the lowest of several states that follow from a minimum when one of the moves that add
+  /// nodes at the lowest cost is made, and then those that keep their number.
+  std::optional<OrbitState> Kick(const OrbitState& minimum) const
+  {
+    constexpr std::size_t MostKicks = 8;
+    LowestMoves lowest(NodeChanges::More);
+    this->AddPairs(minimum, false, lowest);
+    this->AddHalves(minimum, lowest);
+    std::vector<Move> moves = lowest.Release();
+    for (Move& move : moves)
+    {
+      move.energy += minimum.HolonomyChange(move);
+    }
+    std::sort(moves.begin(), moves.end(),
+      [](const Move& a, const Move& b)
+      { return std::tie(a.energy, a.orbits) < std::tie(b.energy, b.orbits); });
+    std::optional<OrbitState> best;
+    // Neighbouring sites have nearly the same energies: each kick is at sites of its own.
+    std::set<Eigen::Index> used;
+    std::size_t kicks = 0;
+    for (std::size_t i = 0; i < moves.size() && kicks < MostKicks; ++i)
+    {
+      Move move = moves[i];
+      bool isNew = true;
+      for (int a = 0; a < move.count; ++a)
+      {
+        isNew = used.insert(move.orbits[a]).second && isNew;
+      }
+      if (!isNew)
+      {
+        continue;
+      }
+      ++kicks;
+      OrbitState state = minimum;
+      move.energy = state.ChangeBy(move);
+      state.Make(move);
+      this->Descend(NodeChanges::None, state);
+      if (!best || state.Energy() < best->Energy())
+      {
+        best.emplace(std::move(state));
+      }
+    }
+    return best;
   }
 
 private:
@@ -109,17 +172,29 @@ private:
     return best.has_value();
   }
 
+  void Descend(NodeChanges changes, OrbitState& state) const
+  {
+    constexpr int MaximumMoves = 2000;
+    for (int move = 0; move < MaximumMoves && this->Exchange(changes, state); ++move)
+    {
+    }
+  }
+
   /// Makes the moves that lower the energy most: first those of present singularities, and if there
   /// are none, those that create some. Returns whether there are any.
-  bool Exchange(OrbitState& state) const
+  bool Exchange(NodeChanges changes, OrbitState& state) const
   {
-    LowestMoves present;
+    LowestMoves present(changes);
     this->AddPairs(state, true, present);
     if (this->MakeLowest(present.Release(), state))
     {
       return true;
     }
-    LowestMoves all;
+    if (changes == NodeChanges::None)
+    {
+      return false;
+    }
+    LowestMoves all(changes);
     this->AddPairs(state, false, all);
     this->AddHalves(state, all);
     return this->MakeLowest(all.Release(), state);
@@ -281,6 +356,24 @@ std::size_t CountSymmetries(const CandidateSites& sites, const Eigen::VectorXi& 
   }
   return count;
 }
+
+/// Returns the indices of sites from those of orbits.
+SiteIndices IndicesOf(const CandidateSites& sites, const OrbitForm& orbits, const OrbitState& state)
+{
+  SiteIndices result;
+  result.indices = Eigen::VectorXi::Zero(static_cast<Eigen::Index>(sites.positions.size()));
+  for (std::size_t o = 0; o < orbits.members.size(); ++o)
+  {
+    for (const std::size_t i : orbits.members[o])
+    {
+      result.indices[static_cast<Eigen::Index>(i)] =
+        state.GetIndices()[static_cast<Eigen::Index>(o)];
+    }
+  }
+  result.energy = state.Energy();
+  result.symmetries = CountSymmetries(sites, result.indices);
+  return result;
+}
 }
 
 std::vector<SiteIndices> SearchIndices(
@@ -305,7 +398,7 @@ std::vector<SiteIndices> SearchIndices(
     }
   }
   // Different numbers of nodes are minima at different costs.
-  constexpr std::array<double, 3> NodeCosts = { 0.0, -4.0, 2.0 };
+  constexpr std::array<double, 1> NodeCosts = { 0.0 };
   // With many sites the numbers hardly differ, and a search takes long.
   constexpr Eigen::Index ManySites = 800;
   const std::size_t costs = count > ManySites ? 1 : NodeCosts.size();
@@ -314,39 +407,30 @@ std::vector<SiteIndices> SearchIndices(
   {
     const OrbitForm orbits = MakeOrbitForm(sites, balanced, isNear, subgroup);
     const OrbitSearch search(orbits);
-    std::array<std::optional<SiteIndices>, NodeCosts.size()> results;
+    std::array<std::vector<SiteIndices>, NodeCosts.size()> results;
     ForParts(costs,
       [&](std::size_t part)
       {
-        const std::optional<OrbitState> state = search.Run(NodeCosts[part]);
-        if (!state)
+        const std::optional<OrbitState> minimum = search.Run(NodeCosts[part]);
+        if (!minimum)
         {
           return;
         }
-        SiteIndices result;
-        result.indices = Eigen::VectorXi::Zero(count);
-        int nodes = 0;
-        for (std::size_t o = 0; o < orbits.members.size(); ++o)
+        results[part].push_back(IndicesOf(sites, orbits, *minimum));
+        if (const auto kicked = count > ManySites ? std::nullopt : search.Kick(*minimum))
         {
-          for (const std::size_t i : orbits.members[o])
-          {
-            result.indices[static_cast<Eigen::Index>(i)] =
-              state->GetIndices()[static_cast<Eigen::Index>(o)];
-            nodes += std::abs(result.indices[static_cast<Eigen::Index>(i)]);
-          }
+          results[part].push_back(IndicesOf(sites, orbits, *kicked));
         }
-        result.energy = state->Energy() - NodeCosts[part] * nodes;
-        result.symmetries = CountSymmetries(sites, result.indices);
-        results[part] = std::move(result);
       });
-    for (std::optional<SiteIndices>& result : results)
+    for (const std::vector<SiteIndices>& part : results)
     {
-      const bool isNew = result &&
-        std::none_of(found.begin(), found.end(),
-          [&](const SiteIndices& other) { return other.indices == result->indices; });
-      if (isNew)
+      for (const SiteIndices& result : part)
       {
-        found.push_back(std::move(*result));
+        if (std::none_of(found.begin(), found.end(),
+              [&](const SiteIndices& other) { return other.indices == result.indices; }))
+        {
+          found.push_back(result);
+        }
       }
     }
   }

@@ -33,11 +33,20 @@ public:
 
   int Sum() const { return this->Total; }
   const Eigen::VectorXi& GetIndices() const { return this->Indices; }
-  double Energy() const { return this->Value + this->Holonomy; }
+  /// Returns the form with the energy of the defects, without costs of nodes.
+  double Energy() const
+  {
+    double nodes = 0.0;
+    for (Eigen::Index o = 0; o < this->Indices.size(); ++o)
+    {
+      nodes += this->Form.sizes[o] * std::abs(this->Indices[o]);
+    }
+    return this->Value + this->Holonomy - this->NodeCost * nodes;
+  }
 
   bool Allows(Eigen::Index orbit, int change) const
   {
-    return std::abs(this->Indices[orbit] + change) <= this->Form.limits[orbit];
+    return this->Form.ranges[orbit].Contains(this->Indices[orbit] + change);
   }
 
   /// Returns the change of the form by a single change, without that of the defects.
@@ -59,6 +68,19 @@ public:
       }
     }
     return true;
+  }
+
+  /// Returns the change of the sum of the absolute values of all indices.
+  int NodeChange(const Move& move) const
+  {
+    int change = 0;
+    for (int a = 0; a < move.count; ++a)
+    {
+      const int index = this->Indices[move.orbits[a]];
+      change +=
+        this->Form.sizes[move.orbits[a]] * (std::abs(index + move.changes[a]) - std::abs(index));
+    }
+    return change;
   }
 
   /// Returns the change of the form by a move.

@@ -17,6 +17,8 @@ struct ProposalOptions : SpreadOptions
   /// Also proposes one singularity of ±2 instead of two of ±1, and an additional pair of opposite
   /// signs.
   bool variations = false;
+  /// As in OptimizerOptions: which indices the search allows on the boundary.
+  double quadSize = 0.0;
 };
 
 /// Starting configuration with its energies after a few steps of the optimiser.

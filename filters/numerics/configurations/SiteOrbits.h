@@ -27,11 +27,12 @@ struct OrbitForm
   Eigen::MatrixXd defectEnergy;
   SitePairs isNear; ///< Not used together.
   std::vector<int> sizes;
-  std::vector<int> limits; ///< Of the absolute value of an index.
+  std::vector<IndexRange> ranges;
   int total = 0;
 };
 
-/// Makes the form for the orbits of a subgroup, without those with members that are near each other.
+/// Makes the form for the orbits of a subgroup, without those with members that are near each other
+/// or whose indices can only be 0. At a fixed point inside, an index may be up to 4.
 OrbitForm MakeOrbitForm(const CandidateSites& sites, const IndexForm& given,
   const SitePairs& isNear, const Subgroup& subgroup);
 }

@@ -107,8 +107,7 @@ SymmetryGroup FindCurveSymmetries(const PlanarDomain& domain)
   }
   for (int order = MostRotations; order > group.order; --order)
   {
-    if (order % group.order == 0 &&
-      curves.IsSymmetry({ group.centre, 2.0 * Pi / order, false }))
+    if (order % group.order == 0 && curves.IsSymmetry({ group.centre, 2.0 * Pi / order, false }))
     {
       group.order = order;
       break;

@@ -21,7 +21,7 @@ std::optional<Circle> CircleOf(const Loop& loop);
 struct RoundHole : Circle
 {
   std::size_t loop = 0; ///< Loop of the domain.
-  double gap = 0.0; ///< Distance to the other loops.
+  double gap = 0.0;     ///< Distance to the other loops.
 };
 
 /// Returns the inner loops that are circles.

@@ -54,13 +54,9 @@ double OptimizerStage::CoreEnergy(const OptimizerState& state) const
     CoreOverlapEnergy(this->objective->At(state.positions), radius);
 }
 
-namespace
-{
-/// Returns the size of quads on which a field on a mesh of the default size can be resolved.
 double QuadsOfDefaultMesh(const PlanarDomain& domain)
 {
   return domain.Diagonal() / 40.0;
-}
 }
 
 double CoreRadius(const PlanarDomain& domain)

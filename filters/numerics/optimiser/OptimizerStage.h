@@ -51,6 +51,10 @@ struct OptimizerStage
 /// or from the boundary.
 double CoreRadius(const PlanarDomain& domain);
 
+/// Returns the size of quads on which a field on a mesh of the default size can be resolved, 1/40 of
+/// the diagonal.
+double QuadsOfDefaultMesh(const PlanarDomain& domain);
+
 struct StageOptions
 {
   double meshSize = 0.0;

@@ -135,8 +135,7 @@ TEST(GlobalSearch, FindsKnownMinima)
     { WithHoles(4, 0.09, 0.7, 0.4), { { -1, 16 } }, 8, 105.2 } };
   for (const Known& part : parts)
   {
-    const std::vector<SearchedConfiguration> found =
-      SearchConfigurations(part.domain, {}, DefaultCornerAngle);
+    const std::vector<SearchedConfiguration> found = SearchConfigurations(part.domain);
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(CountIndices(found[0].singularities), part.counts);
     EXPECT_EQ(found[0].symmetries, part.symmetries);
@@ -148,8 +147,7 @@ TEST(GlobalSearch, FindsKnownMinima)
 TEST(GlobalSearch, OtherMinimaFollow)
 {
   // Three holes: a minimum with eight singularities and one reflection is little higher.
-  const std::vector<SearchedConfiguration> found =
-    SearchConfigurations(WithHoles(3, 0.1, 0.6), {}, DefaultCornerAngle);
+  const std::vector<SearchedConfiguration> found = SearchConfigurations(WithHoles(3, 0.1, 0.6));
   ASSERT_GE(found.size(), 2U);
   EXPECT_EQ(CountIndices(found[1].singularities), (std::map<int, int>{ { -1, 8 } }));
   EXPECT_EQ(found[1].symmetries, 2U);
@@ -171,8 +169,8 @@ TEST(GlobalSearch, IsInvariant)
       point = 3.0 * (turn * point) + Point(100.0, -20.0);
     }
   }
-  const auto found = SearchConfigurations(domain, {}, DefaultCornerAngle);
-  const auto again = SearchConfigurations(moved, {}, DefaultCornerAngle);
+  const auto found = SearchConfigurations(domain);
+  const auto again = SearchConfigurations(moved);
   for (const auto& [one, other] : { std::make_pair(found[0], again[0]), { found[1], again[1] } })
   {
     EXPECT_EQ(CountIndices(one.singularities), CountIndices(other.singularities));
@@ -187,18 +185,77 @@ TEST(GlobalSearch, NeedsNothing)
 {
   // A square has the sum 0 and no better configuration than none.
   const auto found = SearchConfigurations(
-    MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } } }), {},
-    DefaultCornerAngle);
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } } }));
   ASSERT_FALSE(found.empty());
   EXPECT_TRUE(found[0].singularities.empty());
+}
+
+TEST(GlobalSearch, EndsInTheBoundary)
+{
+  // In a box around a blunt body the nodes at its ends are on it: quads see half a turn there.
+  Loop body;
+  constexpr int Vertices = 60;
+  for (int i = 0; i < Vertices; ++i)
+  {
+    const double angle = 2.0 * Pi * i / Vertices;
+    body.push_back({ 0.5 * std::cos(angle), 0.03 * std::sin(angle) });
+  }
+  ProposalOptions options;
+  options.quadSize = 0.1;
+  const PlanarDomain domain =
+    MakePlanarDomain({ { { -2.0, -1.5 }, { 2.0, -1.5 }, { 2.0, 1.5 }, { -2.0, 1.5 } }, body });
+  const auto found = SearchConfigurations(domain, options);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(CountIndices(found[0].singularities), (std::map<int, int>{ { -2, 2 } }));
+  for (const Singularity& singularity : found[0].singularities)
+  {
+    EXPECT_LT(std::abs(SignedDistance(singularity.position, domain)), 1e-9);
+    EXPECT_NEAR(std::abs(singularity.position.x()), 0.5, 1e-9);
+  }
+}
+
+TEST(GlobalSearch, OneMorePairFollows)
+{
+  // In a drop with a cusp, two singularities and four have nearly the same energy.
+  Loop drop;
+  constexpr int Vertices = 160;
+  for (int i = 0; i < Vertices; ++i)
+  {
+    const double angle = 2.0 * Pi * i / Vertices;
+    drop.push_back({ std::cos(angle), std::sin(angle) * std::pow(std::sin(0.5 * angle), 2) });
+  }
+  const auto found = SearchConfigurations(MakePlanarDomain({ drop }));
+  ASSERT_GE(found.size(), 2U);
+  EXPECT_EQ(found[1].singularities.size(), found[0].singularities.size() + 2);
+  EXPECT_LT(found[1].objective, found[0].objective + 8.0);
+}
+
+TEST(CandidateSites, OnTheBoundaryAreClosedUnderSymmetries)
+{
+  const PlanarDomain domain =
+    MakePlanarDomain({ RegularPolygon(6), RegularPolygon(3, 0.2, { 0.0, 0.0 }) });
+  const CandidateSites sites = FindCandidateSites(domain, 0.02, 0.1);
+  ASSERT_EQ(sites.elements.size(), 6U);
+  EXPECT_GE(sites.positions.size(), sites.inside + 9);
+  for (std::size_t i = sites.inside; i < sites.positions.size(); ++i)
+  {
+    EXPECT_LT(std::abs(SignedDistance(sites.positions[i], domain)), 1e-12);
+    for (std::size_t g = 0; g < sites.elements.size(); ++g)
+    {
+      const Point image = sites.elements[g](sites.positions[i]);
+      EXPECT_LT((sites.positions[sites.images[g][i]] - image).norm(), 1e-9);
+      EXPECT_GE(sites.images[g][i], sites.inside);
+    }
+  }
 }
 
 TEST(CandidateSites, AreClosedUnderSymmetries)
 {
   const PlanarDomain domain = WithHoles(5, 0.1, 0.65);
   const double clearance = 0.02;
-  const CandidateSites sites = FindCandidateSites(domain, clearance);
+  const CandidateSites sites = FindCandidateSites(domain, clearance, 0.05);
   ASSERT_EQ(sites.elements.size(), 10U);
+  EXPECT_EQ(sites.inside, sites.positions.size()); // all loops are circles
   EXPECT_GT(sites.positions.size(), 300U);
   for (std::size_t g = 0; g < sites.elements.size(); ++g)
   {
