@@ -1,10 +1,7 @@
 #include "CandidateSites.h"
 
-#include "BoundaryCorners.h"
 #include "CurveSymmetry.h"
 #include "HolePattern.h"
-#include "LoopArc.h"
-#include "Segment.h"
 #include "SegmentSearch.h"
 
 #include <algorithm>
@@ -15,11 +12,6 @@ namespace crossfield
 {
 namespace
 {
-/// The part of a quad within which the turn of the boundary counts for its angle, and how many quads
-/// there are along a loop at least, as for BoundaryVertices::AngleForQuads.
-constexpr double PartSeen = 0.35;
-constexpr double FewestQuads = 8.0;
-
 /// Returns a group with at most twelve rotations: a part that is a circle has many more than its
 /// singularities.
 SymmetryGroup Reduced(SymmetryGroup group)
@@ -52,13 +44,6 @@ public:
     this->Sites.images.resize(this->Sites.elements.size());
   }
 
-  /// From here on, sites are on the boundary.
-  void BeginBoundary()
-  {
-    this->Sites.inside = this->Count();
-    this->IsInside = false;
-  }
-
   double DistanceAt(const Point& place) const { return this->Boundary.SignedDistance(place); }
   const SymmetryGroup& Group() const { return this->Sites.group; }
   std::size_t Count() const { return this->Sites.positions.size(); }
@@ -68,17 +53,16 @@ public:
   void Add(Point place, double spacing)
   {
     place = this->MovedToFixed(place, spacing);
-    if (this->IsInside && this->DistanceAt(place) < this->Clearance)
+    if (this->DistanceAt(place) < this->Clearance)
     {
       return;
     }
-    place = this->IsInside ? place : this->NearestOnBoundary(place);
     const std::size_t first = this->Count();
     std::vector<Point> orbit;
     std::vector<std::size_t> images;
     for (const Isometry& map : this->Sites.elements)
     {
-      const Point image = this->IsInside ? map(place) : this->NearestOnBoundary(map(place));
+      const Point image = map(place);
       std::size_t known = 0;
       while (known < orbit.size() && (orbit[known] - image).norm() > this->Reach)
       {
@@ -88,11 +72,8 @@ public:
       {
         for (const std::vector<Point>* others : { &this->Sites.positions, &orbit })
         {
-          const std::size_t begin =
-            others == &this->Sites.positions && !this->IsInside ? this->Sites.inside : 0;
-          for (std::size_t i = begin; i < others->size(); ++i)
+          for (const Point& other : *others)
           {
-            const Point& other = (*others)[i];
             if ((other - image).squaredNorm() < spacing * spacing)
             {
               return;
@@ -133,12 +114,6 @@ private:
     return moved;
   }
 
-  Point NearestOnBoundary(const Point& place) const
-  {
-    const auto& [from, to] = this->Boundary.At(this->Boundary.Find(place).segment);
-    return place - OffsetFromSegment(place, from, to);
-  }
-
   void AddImages(const std::vector<Point>& orbit, std::size_t first)
   {
     for (std::size_t g = 0; g < this->Sites.elements.size(); ++g)
@@ -157,7 +132,6 @@ private:
   SegmentSearch Boundary;
   double Clearance;
   double Reach;
-  bool IsInside = true;
   CandidateSites Sites;
 };
 
@@ -280,64 +254,14 @@ void AddLattice(const PlanarDomain& domain, double clearance, SiteCollection& si
     sites.Add(candidate.place, candidate.spacing);
   }
 }
-
-/// Adds the points of the boundary at which it turns by more than DefaultCornerAngle within quads,
-/// those with the largest turns first.
-void AddOnBoundary(const PlanarDomain& domain, double quadSize, SiteCollection& sites)
-{
-  sites.BeginBoundary();
-  for (const Loop& loop : domain.loops)
-  {
-    if (CircleOf(loop))
-    {
-      continue; // quads around it have even rows without singularities on it
-    }
-    const LoopArc arc(loop);
-    const double step = PartSeen * std::min(quadSize, arc.Length() / FewestQuads);
-    std::vector<double> places;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      const double side = arc.Start(i + 1) - arc.Start(i);
-      const double parts = std::ceil(side / step);
-      for (double part = 0.0; part < parts; part += 1.0)
-      {
-        places.push_back(arc.Start(i) + side * part / parts);
-      }
-    }
-    struct Candidate
-    {
-      Point place;
-      double turn = 0.0;
-    };
-    std::vector<Candidate> candidates;
-    for (const double at : places)
-    {
-      const Point place = arc.At(at);
-      const double turn =
-        std::abs(AngleBetween(place - arc.At(at - step), arc.At(at + step) - place));
-      if (turn > DefaultCornerAngle)
-      {
-        // equal ones in the order of the loop
-        candidates.push_back({ place, AngleRounding * std::round(turn / AngleRounding) });
-      }
-    }
-    std::stable_sort(candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.turn > b.turn; });
-    for (const Candidate& candidate : candidates)
-    {
-      sites.Add(candidate.place, 0.9 * step);
-    }
-  }
-}
 }
 
-CandidateSites FindCandidateSites(const PlanarDomain& domain, double clearance, double quadSize)
+CandidateSites FindCandidateSites(const PlanarDomain& domain, double clearance)
 {
   SiteCollection sites(domain, clearance);
   AddAroundHoles(domain, clearance, sites);
   AddAlongAxes(domain, clearance, sites);
   AddLattice(domain, clearance, sites);
-  AddOnBoundary(domain, quadSize, sites);
   return sites.Release();
 }
 }

@@ -11,15 +11,13 @@ struct CandidateSites
 {
   SymmetryGroup group;
   std::vector<Isometry> elements; ///< Of the group, the identity first.
-  std::vector<Point> positions;   ///< Those inside first, then those on the boundary.
-  std::size_t inside = 0;         ///< Number of positions inside.
+  std::vector<Point> positions;
   /// For each element and each position, the position that it is mapped to.
   std::vector<std::vector<std::size_t>> images;
 };
 
 /// Returns the sites of the search of docs/method.md §5.10: around round holes, along the axes of
-/// reflections, and a lattice that is finer where the boundary is closer, all at least `clearance`
-/// away from the boundary; and those
-/// points of it where it turns by more than DefaultCornerAngle within quads of a size.
-CandidateSites FindCandidateSites(const PlanarDomain& domain, double clearance, double quadSize);
+/// reflections, and a lattice that is finer where the boundary is closer. All are at least
+/// `clearance` away from the boundary.
+CandidateSites FindCandidateSites(const PlanarDomain& domain, double clearance);
 }

@@ -1,15 +1,16 @@
 #include "GlobalSearch.h"
 
-#include "BoundarySingularities.h"
-#include "CornerSets.h"
+#include "BoundaryCorners.h"
+#include "CandidateSites.h"
 #include "DrillHoles.h"
+#include "HolePattern.h"
 #include "IndexSearch.h"
+#include "LoopArc.h"
 #include "LoopGap.h"
 #include "OptimizerStage.h"
 #include "OptimizerSymmetry.h"
 #include "PoincareHopf.h"
 #include "SegmentSearch.h"
-#include "StageBoundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,25 +37,50 @@ double SiteClearance(const PlanarDomain& domain)
 
 namespace
 {
-/// Returns the changes of the index of a boundary vertex that make it nearer to that of the angle
-/// which quads see.
-IndexRange RangeAt(const BoundaryVertices& boundary, std::size_t v)
+/// Returns whether the boundary turns like a corner within quads where there is none, as at the end of
+/// a profile. Minima of the energy have singularities in the boundary there, where the search has no
+/// sites. Quads around circles have even rows without them.
+bool HasRoundedCorners(const PlanarDomain& domain, double quadSize)
 {
-  constexpr double Rounding = 1e-6; // of a quarter turn
-  const int present = boundary.quarters[v];
-  const double quarters = (Pi - boundary.AngleForQuads(v, boundary.vertices.size())) / (0.5 * Pi);
-  const int lowest = static_cast<int>(std::floor(quarters + Rounding));
-  const int highest = static_cast<int>(std::ceil(quarters - Rounding));
-  IndexRange range{ 0, 0 };
-  while (present + range.lowest > lowest && boundary.Allows(v, present + range.lowest - 1))
+  // As for BoundaryVertices::AngleForQuads.
+  constexpr double PartSeen = 0.35;
+  constexpr double FewestQuads = 8.0;
+  for (const Loop& loop : domain.loops)
   {
-    --range.lowest;
+    if (CircleOf(loop))
+    {
+      continue;
+    }
+    const LoopArc arc(loop);
+    const double step = PartSeen * std::min(quadSize, arc.Length() / FewestQuads);
+    const std::vector<double> turns = arc.Turns();
+    std::vector<std::size_t> corners;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      if (IsCorner(turns[i], DefaultCornerAngle))
+      {
+        corners.push_back(i);
+      }
+    }
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const double at = arc.Start(i);
+      const double seen = AngleBetween(loop[i] - arc.At(at - step), arc.At(at + step) - loop[i]);
+      double turn = seen; // besides one corner
+      for (const std::size_t corner : corners)
+      {
+        const double along = std::abs(arc.Start(corner) - at);
+        const bool isSeen = std::min(along, arc.Length() - along) < step;
+        const double other = seen - turns[corner];
+        turn = isSeen && std::abs(other) < std::abs(turn) ? other : turn;
+      }
+      if (IsCorner(turn, DefaultCornerAngle))
+      {
+        return true;
+      }
+    }
   }
-  while (present + range.highest < highest && boundary.Allows(v, present + range.highest + 1))
-  {
-    ++range.highest;
-  }
-  return range;
+  return false;
 }
 }
 
@@ -63,66 +89,43 @@ std::vector<SearchedConfiguration> SearchConfigurations(
 {
   const double clearance = SiteClearance(domain);
   constexpr double Narrow = 0.004; // of the diagonal: the lattice of sites is not finer
-  if (clearance < Narrow * domain.Diagonal())
+  const double quadSize = options.quadSize > 0.0 ? options.quadSize : QuadsOfDefaultMesh(domain);
+  if (clearance < Narrow * domain.Diagonal() || HasRoundedCorners(domain, quadSize))
   {
     return {};
   }
   const int total =
     CountQuarters(domain.loops, 0, options.cornerAngle, options.corners).requiredInteriorQuarters;
-  const double quadSize = options.quadSize > 0.0 ? options.quadSize : QuadsOfDefaultMesh(domain);
-  const CandidateSites sites = FindCandidateSites(domain, clearance, quadSize);
-  if (sites.inside == 0)
+  const CandidateSites sites = FindCandidateSites(domain, clearance);
+  if (sites.positions.empty())
   {
     return {};
   }
   DrillOptions drill;
   const double edge = ResolveMeshSize(drill, domain);
   const SegmentSearch boundary(domain);
-  Configuration onBoundary;
-  for (std::size_t i = 0; i < sites.positions.size(); ++i)
+  for (const Point& site : sites.positions)
   {
-    const Point& site = sites.positions[i];
-    if (i >= sites.inside)
-    {
-      onBoundary.push_back({ site, 0, 0.0 });
-      continue;
-    }
     const double length = 0.5 * boundary.SignedDistance(site);
     if (length < edge)
     {
       drill.refinements.push_back({ site, length });
     }
   }
-  const SharedPlanarTopology topology = ShareTopology(DrillHoles(
-    InsertBoundarySingularities(domain, onBoundary), {}, drill, progress.Part(0.0, 0.3)));
+  const SharedPlanarTopology topology =
+    ShareTopology(DrillHoles(domain, {}, drill, progress.Part(0.0, 0.3)));
   const Configuration given = { { sites.positions[0], total, 0.0 } };
   const PlacedConfiguration placed = PlaceConfiguration(*topology, given, options.corners);
   Alignment alignment = AlignWithBoundary(*topology, placed.corners, total);
   const auto points = std::make_shared<const PointPotential>(
     std::make_shared<const PotentialSolver>(topology), std::move(alignment));
   const StrengthChanges changes(std::make_shared<const PositionEnergy>(points), given);
-  const BoundaryVertices vertices(*points, quadSize);
   std::vector<StrengthChanges::Place> places;
-  IndexForm form;
-  form.total = total;
-  std::vector<int> present; // indices of boundary vertices
-  for (std::size_t i = 0; i < sites.positions.size(); ++i)
+  for (const Point& site : sites.positions)
   {
-    const Point& site = sites.positions[i];
-    if (i < sites.inside)
-    {
-      places.push_back({ site, -1 });
-      form.ranges.emplace_back();
-      present.push_back(0);
-      continue;
-    }
-    const std::size_t v = vertices.At(site);
-    const bool isGiven = FindChoice(options.corners, site, domain) != nullptr;
-    places.push_back({ site, topology->VertexOf(vertices.vertices[v]) });
-    present.push_back(vertices.quarters[v]);
-    form.ranges.push_back(isGiven ? IndexRange{ 0, 0 } : RangeAt(vertices, v));
+    places.push_back({ site, -1 });
   }
-  form.form = changes.FormAt(places, CoreRadius(domain));
+  IndexForm form{ changes.FormAt(places, CoreRadius(domain)), total };
   // In the indices themselves instead of changes.
   form.form.linear -= total * form.form.matrix.col(0);
   form.form.defects -= total * form.form.defectChanges.col(0);
@@ -136,9 +139,8 @@ std::vector<SearchedConfiguration> SearchConfigurations(
     {
       if (one.indices[i] != 0)
       {
-        const auto site = static_cast<std::size_t>(i);
         result.singularities.push_back(
-          { sites.positions[site], present[site] + one.indices[i], 0.0 });
+          { sites.positions[static_cast<std::size_t>(i)], one.indices[i], 0.0 });
       }
     }
     result.symmetries = one.symmetries;

@@ -19,11 +19,10 @@ struct SearchedConfiguration
 double SiteClearance(const PlanarDomain& domain);
 
 /// Searches all configurations at candidate sites (docs/method.md §5.10): W is a quadratic form in
-/// the quarter indices there, so that every exchange of two singularities costs one addition. The
-/// options give the corners, and the size of quads that decides which indices the boundary may have
-/// (BoundaryVertices::Allows). Singularities on the boundary replace the index there. Returns
-/// different minima, the best first; none if no site is far enough from the boundary, or inner loops
-/// are closer to each other than the sites.
+/// the quarter indices there, so that every exchange of two singularities costs one addition. Returns
+/// different minima, the best first. Returns none where the sites do not suffice: if none is far
+/// enough from the boundary, if inner loops are closer to each other than the sites, or if the
+/// boundary has rounded corners within quads of ProposalOptions::quadSize, which take singularities.
 std::vector<SearchedConfiguration> SearchConfigurations(
   const PlanarDomain& domain, const ProposalOptions& options = {}, const Progress& progress = {});
 }

@@ -46,7 +46,7 @@ public:
 
   bool Allows(Eigen::Index orbit, int change) const
   {
-    return this->Form.ranges[orbit].Contains(this->Indices[orbit] + change);
+    return std::abs(this->Indices[orbit] + change) <= this->Form.limits[orbit];
   }
 
   /// Returns the change of the form by a single change, without that of the defects.

@@ -66,17 +66,9 @@ OrbitForm MakeOrbitForm(const CandidateSites& sites, const IndexForm& given,
         isCrowded = isCrowded || (a != b && isNear(a, b) != 0);
       }
     }
-    IndexRange range = given.ranges[i];
-    for (const std::size_t a : orbit)
+    if (!isCrowded)
     {
-      range = range.And(given.ranges[a]);
-    }
-    if (!isCrowded && !range.IsEmpty())
-    {
-      constexpr int MostAtFixed = 4;
-      const bool isFixed = orbit.size() == 1 && subgroup.size() > 1 && i < sites.inside;
       form.members.push_back(std::move(orbit));
-      form.ranges.push_back(isFixed ? IndexRange{ -MostAtFixed, MostAtFixed } : range);
     }
   }
   const auto orbits = static_cast<Eigen::Index>(form.members.size());
@@ -113,6 +105,7 @@ OrbitForm MakeOrbitForm(const CandidateSites& sites, const IndexForm& given,
         : 0;
     }
     form.sizes.push_back(static_cast<int>(form.members[o].size()));
+    form.limits.push_back(form.sizes.back() == 1 && subgroup.size() > 1 ? 4 : 1);
   }
   form.defects = sum.defects;
   form.defectEnergy = sum.defectEnergy;

@@ -27,12 +27,11 @@ struct OrbitForm
   Eigen::MatrixXd defectEnergy;
   SitePairs isNear; ///< Not used together.
   std::vector<int> sizes;
-  std::vector<IndexRange> ranges;
+  std::vector<int> limits; ///< Of the absolute value of an index.
   int total = 0;
 };
 
-/// Makes the form for the orbits of a subgroup, without those with members that are near each other
-/// or whose indices can only be 0. At a fixed point inside, an index may be up to 4.
+/// Makes the form for the orbits of a subgroup, without those with members that are near each other.
 OrbitForm MakeOrbitForm(const CandidateSites& sites, const IndexForm& given,
   const SitePairs& isNear, const Subgroup& subgroup);
 }

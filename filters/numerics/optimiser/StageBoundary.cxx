@@ -16,16 +16,11 @@ double CornerQuality(double angle, int quarters)
 }
 
 BoundaryVertices::BoundaryVertices(const OptimizerStage& stage)
-  : BoundaryVertices(*stage.potential, stage.quadSize)
+  : reach(BoundaryReach * stage.objective->LengthUnit())
+  , quadSize(stage.quadSize)
 {
-}
-
-BoundaryVertices::BoundaryVertices(const PointPotential& potential, double sizeOfQuads)
-  : reach(BoundaryReach * potential.GetDomain().Diagonal())
-  , quadSize(sizeOfQuads)
-{
-  const PlanarTopology& topology = potential.GetProblem().Topology();
-  const Alignment& alignment = potential.GetProblem().alignment;
+  const PlanarTopology& topology = stage.potential->GetProblem().Topology();
+  const Alignment& alignment = stage.potential->GetProblem().alignment;
   const std::vector<Loop> loops = topology.AlignedLoops();
   for (std::size_t loop = 0; loop < loops.size(); ++loop)
   {

@@ -26,7 +26,6 @@ struct BoundaryVertices
   std::vector<double> loopLengths; ///< By Corner::loop.
 
   explicit BoundaryVertices(const OptimizerStage& stage);
-  BoundaryVertices(const PointPotential& potential, double quadSize);
   /// Returns the vertex at a point, or the number of vertices if there is none.
   std::size_t At(const Point& position) const;
   /// Returns the length of the loop of a vertex.

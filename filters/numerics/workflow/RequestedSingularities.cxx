@@ -3,6 +3,7 @@
 #include "LayerSteps.h"
 #include "MeshGrade.h"
 #include "PoincareHopf.h"
+#include "QuadClearance.h"
 
 #include <cmath>
 #include <utility>

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "LayoutSnap.h"
 #include "PairPlacement.h"
+#include "QuadClearance.h"
 #include "QuarterIndexRange.h"
 #include "RequestedSingularities.h"
 #include "ResolvedRequest.h"

@@ -190,28 +190,23 @@ TEST(GlobalSearch, NeedsNothing)
   EXPECT_TRUE(found[0].singularities.empty());
 }
 
-TEST(GlobalSearch, EndsInTheBoundary)
+TEST(GlobalSearch, LeavesRoundedCornersToTheField)
 {
-  // In a box around a blunt body the nodes at its ends are on it: quads see half a turn there.
+  // The ends of a slender body are on its boundary if quads do not resolve them.
   Loop body;
-  constexpr int Vertices = 60;
+  constexpr int Vertices = 200;
   for (int i = 0; i < Vertices; ++i)
   {
     const double angle = 2.0 * Pi * i / Vertices;
-    body.push_back({ 0.5 * std::cos(angle), 0.03 * std::sin(angle) });
+    body.push_back({ 0.5 * std::cos(angle), 0.1 * std::sin(angle) });
   }
-  ProposalOptions options;
-  options.quadSize = 0.1;
   const PlanarDomain domain =
     MakePlanarDomain({ { { -2.0, -1.5 }, { 2.0, -1.5 }, { 2.0, 1.5 }, { -2.0, 1.5 } }, body });
-  const auto found = SearchConfigurations(domain, options);
-  ASSERT_FALSE(found.empty());
-  EXPECT_EQ(CountIndices(found[0].singularities), (std::map<int, int>{ { -2, 2 } }));
-  for (const Singularity& singularity : found[0].singularities)
-  {
-    EXPECT_LT(std::abs(SignedDistance(singularity.position, domain)), 1e-9);
-    EXPECT_NEAR(std::abs(singularity.position.x()), 0.5, 1e-9);
-  }
+  ProposalOptions options;
+  options.quadSize = 0.1;
+  EXPECT_TRUE(SearchConfigurations(domain, options).empty());
+  options.quadSize = 0.01;
+  EXPECT_FALSE(SearchConfigurations(domain, options).empty());
 }
 
 TEST(GlobalSearch, OneMorePairFollows)
@@ -230,32 +225,12 @@ TEST(GlobalSearch, OneMorePairFollows)
   EXPECT_LT(found[1].objective, found[0].objective + 8.0);
 }
 
-TEST(CandidateSites, OnTheBoundaryAreClosedUnderSymmetries)
-{
-  const PlanarDomain domain =
-    MakePlanarDomain({ RegularPolygon(6), RegularPolygon(3, 0.2, { 0.0, 0.0 }) });
-  const CandidateSites sites = FindCandidateSites(domain, 0.02, 0.1);
-  ASSERT_EQ(sites.elements.size(), 6U);
-  EXPECT_GE(sites.positions.size(), sites.inside + 9);
-  for (std::size_t i = sites.inside; i < sites.positions.size(); ++i)
-  {
-    EXPECT_LT(std::abs(SignedDistance(sites.positions[i], domain)), 1e-12);
-    for (std::size_t g = 0; g < sites.elements.size(); ++g)
-    {
-      const Point image = sites.elements[g](sites.positions[i]);
-      EXPECT_LT((sites.positions[sites.images[g][i]] - image).norm(), 1e-9);
-      EXPECT_GE(sites.images[g][i], sites.inside);
-    }
-  }
-}
-
 TEST(CandidateSites, AreClosedUnderSymmetries)
 {
   const PlanarDomain domain = WithHoles(5, 0.1, 0.65);
   const double clearance = 0.02;
-  const CandidateSites sites = FindCandidateSites(domain, clearance, 0.05);
+  const CandidateSites sites = FindCandidateSites(domain, clearance);
   ASSERT_EQ(sites.elements.size(), 10U);
-  EXPECT_EQ(sites.inside, sites.positions.size()); // all loops are circles
   EXPECT_GT(sites.positions.size(), 300U);
   for (std::size_t g = 0; g < sites.elements.size(); ++g)
   {
