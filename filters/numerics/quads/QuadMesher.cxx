@@ -401,7 +401,7 @@ private:
   /// Returns counts of the target size that keep the blocks of a coarse solution.
   EdgeCounts RefineCounts(const EdgeCounts& coarse, const Chords& chords) const
   {
-    return this->CountsForSize(
+    EdgeCounts refined = this->CountsForSize(
       [&](double size)
       {
         const QuantisationProblem problem = this->ProblemFor(size);
@@ -410,10 +410,12 @@ private:
         counts.cost = problem.Cost(counts.counts);
         counts.bound = this->Result.counts.bound;
         counts.optimal = false;
-        counts.seconds = this->Result.counts.seconds;
+        counts.seconds = 0.0;
         return counts;
       },
       {});
+    refined.seconds = this->Result.counts.seconds;
+    return refined;
   }
 
   const SeamlessMap& Map;

@@ -145,6 +145,7 @@ private:
 /// An open node of branch and bound: bounds of all arcs; −1 in `upper` stands for no bound.
 struct Branch
 {
+  double cost = 0.0; ///< Of the relaxation that it is a part of.
   std::vector<int> lower;
   std::vector<int> upper;
 };
@@ -198,12 +199,16 @@ EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem)
   EdgeCounts best;
   // A few flows suffice in all cases tried; each takes milliseconds with hundreds of arcs.
   constexpr int MaximumFlows = 200;
-  std::vector<Branch> open = { { problem.lower, std::vector<int>(problem.Count(), -1) } };
+  std::vector<Branch> open = { { 0.0, problem.lower, std::vector<int>(problem.Count(), -1) } };
   std::vector<int> fallback;
   while (!open.empty() && best.nodes < MaximumFlows)
   {
-    Branch branch = std::move(open.back());
-    open.pop_back();
+    // The lowest cost, and of equal ones the last. If the last one were searched first, counts could
+    // rise without end, where an odd number goes around a domain with many equal parts.
+    const auto lowest = std::min_element(
+      open.rbegin(), open.rend(), [](const Branch& a, const Branch& b) { return a.cost < b.cost; });
+    Branch branch = std::move(*lowest);
+    open.erase(std::next(lowest).base());
     const RelaxedCounts relaxed = SolveRelaxedCounts(problem, branch.lower, branch.upper);
     if (++best.nodes == 1)
     {
@@ -228,11 +233,12 @@ EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem)
       continue;
     }
     const auto arc = static_cast<std::size_t>(odd - relaxed.doubled.begin());
+    branch.cost = relaxed.cost;
     Branch down = branch;
     down.upper[arc] = *odd / 2;
     open.push_back(std::move(down));
     branch.lower[arc] = *odd / 2 + 1;
-    open.push_back(std::move(branch)); // searched first: more edges are always feasible
+    open.push_back(std::move(branch));
   }
   best.optimal = open.empty();
   if (best.counts.empty())

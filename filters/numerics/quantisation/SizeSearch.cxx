@@ -40,10 +40,12 @@ EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
   double tooMany = 0.0; // sizes; 0 if there is none yet
   double tooFew = 0.0;
   double size = first;
+  double seconds = 0.0;
   for (int tried = 0; tried < MaximumSizes; ++tried)
   {
     progress.Report(static_cast<double>(tried) / MaximumSizes);
     EdgeCounts counts = countsOf(size);
+    seconds += counts.seconds;
     const long long quads = CountQuads(mesh, counts.counts);
     const double ratio = static_cast<double>(quads) / requested;
     const double error = std::abs(ratio - 1.0);
@@ -81,6 +83,7 @@ EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
       }
     }
   }
+  best.seconds = seconds;
   return best;
 }
 }
