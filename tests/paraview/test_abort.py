@@ -12,14 +12,14 @@ DATA = os.path.join(os.environ["STATES"], "..", "..", "tests", "data")
 def long_run():
     """Creates a Quad Mesher that takes many seconds."""
     loops = []
-    # A plate with 36 holes, none of which lies on a line with others.
-    for i in range(6):
-        for j in range(6):
+    # A plate with 81 holes, none of which lies on a line with others.
+    for i in range(9):
+        for j in range(9):
             x, y = i + 0.13 * ((3 * i + 5 * j) % 7 - 3), j + 0.13 * ((5 * i + 2 * j) % 7 - 3)
             loops.append(PolyLineSource(Closed=1, Points=[
                 number for a, b in ((0.2, 0), (0.14, 0.14), (0, 0.2), (-0.14, 0.14), (-0.2, 0), (-0.14, -0.14), (0, -0.2), (0.14, -0.14))
                 for number in (x + a, y + b, 0)]))
-    loops.append(PolyLineSource(Closed=1, Points=[-1, -1, 0, 6, -1, 0, 6, 6, 0, -1, 6, 0]))
+    loops.append(PolyLineSource(Closed=1, Points=[-1, -1, 0, 9, -1, 0, 9, 9, 0, -1, 9, 0]))
     domain = AppendGeometry(registrationName="Plate", Input=loops)
     Show(domain)
     Render()

@@ -8,7 +8,6 @@
 #include "LoopArc.h"
 #include "LoopGap.h"
 #include "OptimizerStage.h"
-#include "OptimizerSymmetry.h"
 #include "PoincareHopf.h"
 #include "SegmentSearch.h"
 
@@ -132,7 +131,8 @@ std::vector<SearchedConfiguration> SearchConfigurations(
   progress.Report(0.7);
   std::vector<SearchedConfiguration> found;
   constexpr double ApartFactor = 2.0;
-  for (const SiteIndices& one : SearchIndices(sites, form, ApartFactor * clearance))
+  for (const SiteIndices& one :
+    SearchIndices(sites, form, ApartFactor * clearance, progress.Part(0.7, 1.0)))
   {
     SearchedConfiguration result;
     for (Eigen::Index i = 0; i < one.indices.size(); ++i)
@@ -144,7 +144,7 @@ std::vector<SearchedConfiguration> SearchConfigurations(
       }
     }
     result.symmetries = one.symmetries;
-    result.objective = one.energy - WorthOfSymmetries(one.symmetries);
+    result.objective = one.objective;
     found.push_back(std::move(result));
   }
   progress.Report(1.0);

@@ -13,12 +13,13 @@ void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options,
   const Progress& progress, AutomaticConfiguration& result)
 {
   const SymmetryGroup group = FindCurveSymmetries(domain);
-  const auto count = [&](const Configuration& singularities, double reach)
-  { return MatchSymmetry(singularities, group, reach).elements.size(); };
+  const auto kept = [&](const Configuration& singularities, double reach)
+  { return MatchSymmetry(singularities, group, reach).elements; };
   const double exact = SymmetryReach * domain.Diagonal();
-  const std::size_t before = count(result.singularities, exact);
+  const std::vector<Isometry> before = kept(result.singularities, exact);
   Configuration symmetric = result.singularities;
-  if (count(symmetric, distance) <= before || !MakeSymmetric(domain, group, distance, symmetric))
+  if (kept(symmetric, distance).size() <= before.size() ||
+    !MakeSymmetric(domain, group, distance, symmetric))
   {
     return;
   }
@@ -26,8 +27,8 @@ void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options,
   tried.solves += result.optimum.solves;
   result.optimum.solves = tried.solves;
   result.optimum.aborted = tried.aborted;
-  const std::size_t after = count(tried.configuration, exact);
-  if (tried.aborted || after <= before) // they may be a saddle
+  const std::vector<Isometry> after = kept(tried.configuration, exact);
+  if (tried.aborted || after.size() <= before.size()) // they may be a saddle
   {
     return;
   }
@@ -37,9 +38,9 @@ void ImposeSymmetry(const PlanarDomain& domain, const OptimizerOptions& options,
   const bool isBetter =
     HasConvergedWithoutDefect(tried) >= HasConvergedWithoutDefect(result.optimum) &&
     tried.sizeSpread <= result.optimum.sizeSpread + SameSpread &&
-    rise < WorthOfSymmetries(after) - WorthOfSymmetries(before);
+    rise < WorthOfSymmetries(after, group) - WorthOfSymmetries(before, group);
   std::ostringstream text;
-  text << "Positions with " << after << " instead of " << before
+  text << "Positions with " << after.size() << " instead of " << before.size()
        << " symmetries of the domain, counting the identity, " << (isBetter ? "are" : "were not")
        << " used: their energy is " << FormatNumber(std::abs(rise), 3)
        << (rise < 0.0 ? " lower" : " higher") << ", their spread of sizes "

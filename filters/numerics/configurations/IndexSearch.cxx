@@ -2,10 +2,8 @@
 
 #include "OptimizerSymmetry.h"
 #include "OrbitState.h"
-#include "Parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -74,8 +72,9 @@ private:
 class OrbitSearch
 {
 public:
-  explicit OrbitSearch(const OrbitForm& form)
+  OrbitSearch(const OrbitForm& form, const Progress& progress)
     : Form(form)
+    , Reported(progress)
   {
     for (std::size_t o = 0; o < form.sizes.size(); ++o)
     {
@@ -84,9 +83,9 @@ public:
   }
 
   /// Returns a minimum that no move lowers, or nothing if the sum cannot be reached.
-  std::optional<OrbitState> Run(double nodeCost) const
+  std::optional<OrbitState> Run() const
   {
-    OrbitState state(this->Form, nodeCost);
+    OrbitState state(this->Form);
     while (state.Sum() != this->Form.total)
     {
       if (!this->AddUnit(state))
@@ -177,6 +176,7 @@ private:
     constexpr int MaximumMoves = 2000;
     for (int move = 0; move < MaximumMoves && this->Exchange(changes, state); ++move)
     {
+      this->Reported.Report(0.0); // a run may be aborted here
     }
   }
 
@@ -337,24 +337,29 @@ private:
   }
 
   const OrbitForm& Form;
+  const Progress Reported;
   std::map<int, std::vector<Eigen::Index>> BySize;
 };
 
-/// Returns the number of elements that map indices to themselves.
-std::size_t CountSymmetries(const CandidateSites& sites, const Eigen::VectorXi& indices)
+/// Returns the elements that map indices to themselves.
+std::vector<Isometry> KeptSymmetries(const CandidateSites& sites, const Eigen::VectorXi& indices)
 {
-  std::size_t count = 0;
-  for (const std::vector<std::size_t>& images : sites.images)
+  std::vector<Isometry> kept;
+  for (std::size_t g = 0; g < sites.elements.size(); ++g)
   {
+    const std::vector<std::size_t>& images = sites.images[g];
     bool isKept = true;
     for (std::size_t i = 0; i < images.size() && isKept; ++i)
     {
       isKept =
         indices[static_cast<Eigen::Index>(images[i])] == indices[static_cast<Eigen::Index>(i)];
     }
-    count += isKept ? 1U : 0U;
+    if (isKept)
+    {
+      kept.push_back(sites.elements[g]);
+    }
   }
-  return count;
+  return kept;
 }
 
 /// Returns the indices of sites from those of orbits.
@@ -370,14 +375,15 @@ SiteIndices IndicesOf(const CandidateSites& sites, const OrbitForm& orbits, cons
         state.GetIndices()[static_cast<Eigen::Index>(o)];
     }
   }
-  result.energy = state.Energy();
-  result.symmetries = CountSymmetries(sites, result.indices);
+  const std::vector<Isometry> kept = KeptSymmetries(sites, result.indices);
+  result.symmetries = kept.size();
+  result.objective = state.Energy() - WorthOfSymmetries(kept, sites.group);
   return result;
 }
 }
 
 std::vector<SiteIndices> SearchIndices(
-  const CandidateSites& sites, const IndexForm& form, double apart)
+  const CandidateSites& sites, const IndexForm& form, double apart, const Progress& progress)
 {
   const auto count = static_cast<Eigen::Index>(sites.positions.size());
   // Unbalanced indices, which the search passes, have an energy that depends on where the rest of
@@ -397,47 +403,40 @@ std::vector<SiteIndices> SearchIndices(
         i != j && (sites.positions[i] - sites.positions[j]).squaredNorm() < apart * apart ? 1 : 0;
     }
   }
-  // Different numbers of nodes are minima at different costs.
-  constexpr std::array<double, 1> NodeCosts = { 0.0 };
-  // With many sites the numbers hardly differ, and a search takes long.
+  // With many sites the numbers of nodes hardly differ, and a search takes long.
   constexpr Eigen::Index ManySites = 800;
-  const std::size_t costs = count > ManySites ? 1 : NodeCosts.size();
+  const std::vector<Subgroup> subgroups = ClassesOfSubgroups(sites.group);
   std::vector<SiteIndices> found;
-  for (const Subgroup& subgroup : ClassesOfSubgroups(sites.group))
+  const auto add = [&](const SiteIndices& result)
   {
-    const OrbitForm orbits = MakeOrbitForm(sites, balanced, isNear, subgroup);
-    const OrbitSearch search(orbits);
-    std::array<std::vector<SiteIndices>, NodeCosts.size()> results;
-    ForParts(costs,
-      [&](std::size_t part)
-      {
-        const std::optional<OrbitState> minimum = search.Run(NodeCosts[part]);
-        if (!minimum)
-        {
-          return;
-        }
-        results[part].push_back(IndicesOf(sites, orbits, *minimum));
-        if (const auto kicked = count > ManySites ? std::nullopt : search.Kick(*minimum))
-        {
-          results[part].push_back(IndicesOf(sites, orbits, *kicked));
-        }
-      });
-    for (const std::vector<SiteIndices>& part : results)
+    if (std::none_of(found.begin(), found.end(),
+          [&](const SiteIndices& other) { return other.indices == result.indices; }))
     {
-      for (const SiteIndices& result : part)
+      found.push_back(result);
+    }
+  };
+  for (std::size_t i = 0; i < subgroups.size(); ++i)
+  {
+    const auto done = [&](std::size_t number)
+    { return static_cast<double>(number) / static_cast<double>(subgroups.size()); };
+    const OrbitForm orbits = MakeOrbitForm(sites, balanced, isNear, subgroups[i]);
+    const OrbitSearch search(orbits, progress.Part(done(i), done(i + 1)));
+    const std::optional<OrbitState> minimum = search.Run();
+    if (!minimum)
+    {
+      continue;
+    }
+    add(IndicesOf(sites, orbits, *minimum));
+    if (count <= ManySites)
+    {
+      if (const std::optional<OrbitState> kicked = search.Kick(*minimum))
       {
-        if (std::none_of(found.begin(), found.end(),
-              [&](const SiteIndices& other) { return other.indices == result.indices; }))
-        {
-          found.push_back(result);
-        }
+        add(IndicesOf(sites, orbits, *kicked));
       }
     }
   }
-  const auto objective = [](const SiteIndices& one)
-  { return one.energy - WorthOfSymmetries(one.symmetries); };
   std::stable_sort(found.begin(), found.end(),
-    [&](const SiteIndices& a, const SiteIndices& b) { return objective(a) < objective(b); });
+    [](const SiteIndices& a, const SiteIndices& b) { return a.objective < b.objective; });
   return found;
 }
 }

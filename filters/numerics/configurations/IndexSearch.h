@@ -2,6 +2,7 @@
 
 #include "CandidateSites.h"
 #include "IndexForm.h"
+#include "Progress.h"
 
 namespace crossfield
 {
@@ -11,14 +12,14 @@ struct SiteIndices
   Eigen::VectorXi indices;
   /// Number of elements of the group that map the indices to themselves.
   std::size_t symmetries = 1;
-  /// The quadratic form, with the energy of the holonomy defects.
-  double energy = 0.0;
+  /// The quadratic form with the energy of the holonomy defects, less the worth of the symmetries.
+  double objective = 0.0;
 };
 
 /// Searches quarter indices at sites with a sum for minima of the energy
 /// (docs/method.md §5.10), for every symmetry of the sites separately. Two sites closer than `apart`
 /// are not used together, and no index exceeds 1 except at a fixed point of a symmetry. Returns
-/// different results, those first that minimise the energy less 8 ln of the number of symmetries.
+/// different results, those first with the lowest objectives.
 std::vector<SiteIndices> SearchIndices(
-  const CandidateSites& sites, const IndexForm& form, double apart);
+  const CandidateSites& sites, const IndexForm& form, double apart, const Progress& progress = {});
 }

@@ -20,29 +20,20 @@ struct Move
 class OrbitState
 {
 public:
-  OrbitState(const OrbitForm& form, double nodeCost)
+  explicit OrbitState(const OrbitForm& form)
     : Form(form)
     , Indices(Eigen::VectorXi::Zero(form.linear.size()))
     , Gradient(form.linear)
     , Blocked(Eigen::VectorXi::Zero(form.linear.size()))
     , Defects(form.defects)
-    , NodeCost(nodeCost)
     , Holonomy(this->HolonomyOf(form.defects))
   {
   }
 
   int Sum() const { return this->Total; }
   const Eigen::VectorXi& GetIndices() const { return this->Indices; }
-  /// Returns the form with the energy of the defects, without costs of nodes.
-  double Energy() const
-  {
-    double nodes = 0.0;
-    for (Eigen::Index o = 0; o < this->Indices.size(); ++o)
-    {
-      nodes += this->Form.sizes[o] * std::abs(this->Indices[o]);
-    }
-    return this->Value + this->Holonomy - this->NodeCost * nodes;
-  }
+  /// Returns the form with the energy of the defects.
+  double Energy() const { return this->Value + this->Holonomy; }
 
   bool Allows(Eigen::Index orbit, int change) const
   {
@@ -52,10 +43,7 @@ public:
   /// Returns the change of the form by a single change, without that of the defects.
   double Single(Eigen::Index orbit, int change) const
   {
-    const int index = this->Indices[orbit];
-    return change * this->Gradient[orbit] +
-      0.5 * change * change * this->Form.matrix(orbit, orbit) +
-      this->NodeCost * this->Form.sizes[orbit] * (std::abs(index + change) - std::abs(index));
+    return change * this->Gradient[orbit] + 0.5 * change * change * this->Form.matrix(orbit, orbit);
   }
 
   bool Allows(const Move& move) const
@@ -182,7 +170,6 @@ private:
   Eigen::VectorXd Gradient;
   Eigen::VectorXi Blocked;
   Eigen::VectorXd Defects;
-  double NodeCost;
   double Holonomy;
   double Value = 0.0;
   int Total = 0;

@@ -108,6 +108,13 @@ public:
       [&](const Loop& loop) { return this->HasImage(loop, map); });
   }
 
+  /// Returns whether all loops enclose something at the tolerance.
+  bool HasArea() const
+  {
+    return std::all_of(
+      this->Loops.begin(), this->Loops.end(), [](const Loop& loop) { return loop.size() > 2; });
+  }
+
   std::size_t Count() const { return this->Loops[0].size(); }
   const Point& GetCentre() const { return this->Centre; }
 
@@ -191,6 +198,10 @@ SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance)
   const SymmetrySearch symmetries(domain, tolerance);
   SymmetryGroup group;
   group.centre = symmetries.GetCentre();
+  if (!symmetries.HasArea())
+  {
+    return group;
+  }
   std::size_t step = symmetries.Count();
   for (std::size_t vertex = 1; vertex < symmetries.Count(); ++vertex)
   {

@@ -34,7 +34,8 @@ struct SymmetryGroup
 };
 
 /// Returns the symmetries of a domain. Each of them maps the vertices of all loops to vertices,
-/// within `tolerance` times the diagonal. Vertices on straight sides are ignored.
+/// within `tolerance` times the diagonal. Vertices on straight sides are ignored. A domain with a loop
+/// that is a line at the tolerance has none.
 ///
 /// The centre is the centroid of the outer loop's area. The smallest rotation that maps the
 /// boundary to itself generates all rotations, and one reflection yields all others. The running

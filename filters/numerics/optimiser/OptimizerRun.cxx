@@ -80,11 +80,10 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
 double OptimizerRun::Objective() const
 {
   constexpr double SeenPart = 0.25; // of a quad: less is not seen in a mesh
-  const std::size_t symmetries =
-    MatchSymmetry(this->Stage.At(this->Current.positions).singularities,
-      FindCurveSymmetries(this->Domain), SeenPart * this->Stage.quadSize)
-      .elements.size();
-  return this->Stage.CoreEnergy(this->Current) - WorthOfSymmetries(symmetries);
+  const SymmetryGroup group = FindCurveSymmetries(this->Domain);
+  const ConfigurationSymmetry symmetry = MatchSymmetry(
+    this->Stage.At(this->Current.positions).singularities, group, SeenPart * this->Stage.quadSize);
+  return this->Stage.CoreEnergy(this->Current) - WorthOfSymmetries(symmetry.elements, group);
 }
 
 void OptimizerRun::EnforceClearances(double requested, Configuration& singularities)

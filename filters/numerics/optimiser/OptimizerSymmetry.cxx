@@ -33,6 +33,13 @@ double WorthOfSymmetries(std::size_t elements)
   return 8.0 * std::log(static_cast<double>(elements));
 }
 
+double WorthOfSymmetries(const std::vector<Isometry>& kept, const SymmetryGroup& ofDomain)
+{
+  const bool leans = ofDomain.reflects &&
+    std::none_of(kept.begin(), kept.end(), [](const Isometry& map) { return map.reflects; });
+  return WorthOfSymmetries(leans ? std::max<std::size_t>(1, kept.size() / 2) : kept.size());
+}
+
 ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const SymmetryGroup& group,
   const Configuration& interior, double distance, const IsometryTest& keeps)
 {

@@ -10,6 +10,10 @@ namespace crossfield
 /// holes loses its symmetry, and above 20 other domains get many more blocks.
 double WorthOfSymmetries(std::size_t elements);
 
+/// Returns the worth of the symmetries of a domain that positions keep. Rotations alone count half where
+/// the domain has reflections: such positions lean to one side.
+double WorthOfSymmetries(const std::vector<Isometry>& kept, const SymmetryGroup& ofDomain);
+
 /// Symmetries that the optimiser keeps (docs/method.md §5.5): those of the domain that the interior
 /// singularities and the quarter indices chosen on the boundary have to 1e-9 of the diagonal.
 struct OptimizerSymmetry
