@@ -36,7 +36,7 @@ def cells(mesher):
 
 def check_aborted(mesher, seconds):
     print("the run ended after %.1f s" % seconds)
-    # It would take half a minute.
+    # It would take 25 seconds.
     check(seconds < 5, "the run was not aborted but took %.1f s" % seconds)
     check_equal(cells(mesher), 0, "quads of an aborted run")
     check_equal(messages(), "", "messages of an aborted run")

@@ -263,8 +263,9 @@ bool MakeSymmetric(const PlanarDomain& domain, const SymmetryGroup& symmetries, 
   const double reach = BoundaryReach * domain.Diagonal();
   for (std::size_t i = 0; i < moved.size(); ++i)
   {
-    if (SignedDistance(moved[i].position, domain) <= reach &&
-      SignedDistance(singularities[i].position, domain) > reach)
+    const double before = SignedDistance(singularities[i].position, domain);
+    const double after = SignedDistance(moved[i].position, domain);
+    if (before > reach ? after <= reach : std::abs(after) > reach)
     {
       return false;
     }

@@ -7,7 +7,7 @@
 namespace crossfield
 {
 /// Proposes consistent starting configurations, the best first (docs/method.md §5.6). The sources
-/// are a coarse Ginzburg-Landau field (FieldConfiguration.h), the same field without pairs of
+/// are the search (GlobalSearch.h) and, where it finds none or alternatives are requested, a coarse Ginzburg-Landau field (FieldConfiguration.h), the same field without pairs of
 /// opposite signs, and a spread configuration (ConfigurationSpread.h). Each is improved by a few
 /// steps of the optimiser, and the first is that of the lowest OptimizerResult::objective. Configurations
 /// with too few singularities for the inner loops (TooFewForHolonomy) are also proposed with
@@ -15,7 +15,7 @@ namespace crossfield
 /// All but the first are sorted by their energy at the core radius. Equal configurations are returned once. Variations
 /// whose cores overlap have no energy at the core radius and are not returned.
 ///
-/// If the domain has symmetries (BoundarySymmetry.h), positions that are approximately symmetric
+/// If the domain has symmetries (CurveSymmetry.h), positions that are approximately symmetric
 /// are symmetrised up to rounding.
 ///
 /// With given singularities, or with `cancelFlatCorners`, which proposes the spread configuration
@@ -27,7 +27,7 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
 
 /// Moves singularities to positions that are symmetric, if these are within a distance for some symmetries
 /// of the domain. Returns false and moves nothing if there are none, or if a singularity would leave the
-/// domain, as on the axis of a narrow neck.
+/// domain, as on the axis of a narrow neck, or the boundary, where only the curves are symmetric.
 bool MakeSymmetric(const PlanarDomain& domain, const SymmetryGroup& symmetries, double distance,
   Configuration& singularities);
 

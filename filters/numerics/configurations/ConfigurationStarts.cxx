@@ -72,13 +72,7 @@ public:
     proposal.corners = corners;
     proposal.origin = origin;
     proposal.variation = corners.size() > this->Options.corners.size();
-    this->Starts.push_back(proposal);
-    if (TooFewForHolonomy(this->Domain, proposal.singularities))
-    {
-      AddPairsForHolonomy(this->Domain, proposal.singularities);
-      proposal.origin += ", pairs for holonomy";
-      this->Starts.push_back(std::move(proposal));
-    }
+    this->Add(std::move(proposal));
   }
 
   /// Adds the configuration of a Ginzburg-Landau field, and the same without pairs.
@@ -99,8 +93,7 @@ public:
     }
   }
 
-  /// Adds the best configurations of the search among candidate sites.
-  /// Returns whether there are any.
+  /// Adds the best configurations of the search among candidate sites. Returns whether there are any.
   bool AddSearch(const Progress& progress)
   {
     // The minima of the positions may be lower than the sites by this much.
@@ -121,7 +114,7 @@ public:
         start.corners = this->Options.corners;
         start.origin = "search";
         start.clearance = SiteClearance(this->Domain);
-        this->Starts.push_back(std::move(start));
+        this->Add(std::move(start));
       }
     }
     return !found.empty();
@@ -150,6 +143,18 @@ public:
   std::vector<ProposedConfiguration> Release() { return std::move(this->Starts); }
 
 private:
+  /// Adds a start, and if it has too few singularities another one with pairs.
+  void Add(ProposedConfiguration start)
+  {
+    this->Starts.push_back(start);
+    if (TooFewForHolonomy(this->Domain, start.singularities))
+    {
+      AddPairsForHolonomy(this->Domain, start.singularities);
+      start.origin += ", pairs for holonomy";
+      this->Starts.push_back(std::move(start));
+    }
+  }
+
   const PlanarDomain& Domain;
   const ProposalOptions& Options;
   std::vector<ProposedConfiguration> Starts;

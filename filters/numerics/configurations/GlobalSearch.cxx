@@ -10,6 +10,7 @@
 #include "OptimizerStage.h"
 #include "PoincareHopf.h"
 #include "SegmentSearch.h"
+#include "StageBoundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,52 @@
 
 namespace crossfield
 {
+namespace
+{
+/// Returns whether the boundary turns like a corner within quads where there is none, as at the end of
+/// a profile. Minima of the energy have singularities in the boundary there, where the search has no
+/// sites. Quads around circles have even rows without them.
+bool HasRoundedCorners(const PlanarDomain& domain, double quadSize, double cornerAngle)
+{
+  for (const Loop& loop : domain.loops)
+  {
+    if (CircleOf(loop))
+    {
+      continue;
+    }
+    const LoopArc arc(loop);
+    const double step = PartSeen * QuadSizeAt(quadSize, arc.Length());
+    const std::vector<double> turns = arc.Turns();
+    std::vector<std::size_t> corners;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      if (IsCorner(turns[i], cornerAngle))
+      {
+        corners.push_back(i);
+      }
+    }
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const double at = arc.Start(i);
+      const double seen = AngleBetween(loop[i] - arc.At(at - step), arc.At(at + step) - loop[i]);
+      double turn = seen; // besides one corner
+      for (const std::size_t corner : corners)
+      {
+        const double along = std::abs(arc.Start(corner) - at);
+        const bool isSeen = std::min(along, arc.Length() - along) < step;
+        const double other = seen - turns[corner];
+        turn = isSeen && std::abs(other) < std::abs(turn) ? other : turn;
+      }
+      if (IsCorner(turn, cornerAngle))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
 double SiteClearance(const PlanarDomain& domain)
 {
   double clearance = 0.01 * domain.Diagonal();
@@ -34,62 +81,14 @@ double SiteClearance(const PlanarDomain& domain)
   return clearance;
 }
 
-namespace
-{
-/// Returns whether the boundary turns like a corner within quads where there is none, as at the end of
-/// a profile. Minima of the energy have singularities in the boundary there, where the search has no
-/// sites. Quads around circles have even rows without them.
-bool HasRoundedCorners(const PlanarDomain& domain, double quadSize)
-{
-  // As for BoundaryVertices::AngleForQuads.
-  constexpr double PartSeen = 0.35;
-  constexpr double FewestQuads = 8.0;
-  for (const Loop& loop : domain.loops)
-  {
-    if (CircleOf(loop))
-    {
-      continue;
-    }
-    const LoopArc arc(loop);
-    const double step = PartSeen * std::min(quadSize, arc.Length() / FewestQuads);
-    const std::vector<double> turns = arc.Turns();
-    std::vector<std::size_t> corners;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      if (IsCorner(turns[i], DefaultCornerAngle))
-      {
-        corners.push_back(i);
-      }
-    }
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      const double at = arc.Start(i);
-      const double seen = AngleBetween(loop[i] - arc.At(at - step), arc.At(at + step) - loop[i]);
-      double turn = seen; // besides one corner
-      for (const std::size_t corner : corners)
-      {
-        const double along = std::abs(arc.Start(corner) - at);
-        const bool isSeen = std::min(along, arc.Length() - along) < step;
-        const double other = seen - turns[corner];
-        turn = isSeen && std::abs(other) < std::abs(turn) ? other : turn;
-      }
-      if (IsCorner(turn, DefaultCornerAngle))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-}
-
 std::vector<SearchedConfiguration> SearchConfigurations(
   const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress)
 {
   const double clearance = SiteClearance(domain);
   constexpr double Narrow = 0.004; // of the diagonal: the lattice of sites is not finer
   const double quadSize = options.quadSize > 0.0 ? options.quadSize : QuadsOfDefaultMesh(domain);
-  if (clearance < Narrow * domain.Diagonal() || HasRoundedCorners(domain, quadSize))
+  if (clearance < Narrow * domain.Diagonal() ||
+    HasRoundedCorners(domain, quadSize, options.cornerAngle))
   {
     return {};
   }

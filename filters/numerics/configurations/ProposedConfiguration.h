@@ -17,7 +17,7 @@ struct ProposalOptions : SpreadOptions
   /// Also proposes one singularity of ±2 instead of two of ±1, and an additional pair of opposite
   /// signs.
   bool variations = false;
-  /// As in OptimizerOptions: which indices the search allows on the boundary.
+  /// As in OptimizerOptions. It decides whether the search is used (GlobalSearch.h).
   double quadSize = 0.0;
 };
 

@@ -13,11 +13,6 @@ namespace
 {
 constexpr double SinglePrecision = 1e-6; // of the diagonal
 
-std::size_t CountElements(const SymmetryGroup& group)
-{
-  return static_cast<std::size_t>(group.order) * (group.reflects ? 2U : 1U);
-}
-
 /// Vertices of all loops, found by position.
 class VertexSearch
 {
@@ -113,12 +108,12 @@ void Straighten(const std::vector<bool>& isRegular, Loop& loop)
 PlanarDomain WithExactSymmetries(const PlanarDomain& domain)
 {
   SymmetryGroup group = FindSymmetries(domain, SinglePrecision);
-  if (CountElements(group) == CountElements(FindSymmetries(domain)))
+  const std::size_t count = group.Elements().size();
+  if (count == FindSymmetries(domain).Elements().size())
   {
     return domain;
   }
-  const double diagonal = domain.Diagonal();
-  const VertexSearch vertices(domain, 2.0 * SinglePrecision * diagonal);
+  const VertexSearch vertices(domain, 2.0 * SinglePrecision * domain.Diagonal());
   if (group.reflects)
   {
     RefineAxis(domain, vertices, group);
@@ -141,7 +136,7 @@ PlanarDomain WithExactSymmetries(const PlanarDomain& domain)
         }
       }
       // Other vertices are on straight sides.
-      isRegular.push_back(images == elements.size());
+      isRegular.push_back(images == count);
       if (isRegular.back())
       {
         vertex += sum / static_cast<double>(images);
@@ -153,6 +148,6 @@ PlanarDomain WithExactSymmetries(const PlanarDomain& domain)
     }
     Straighten(isRegular, loop);
   }
-  return CountElements(FindSymmetries(result)) == CountElements(group) ? result : domain;
+  return FindSymmetries(result).Elements().size() == count ? result : domain;
 }
 }

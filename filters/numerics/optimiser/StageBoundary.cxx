@@ -15,6 +15,12 @@ double CornerQuality(double angle, int quarters)
   return quarters < 2 ? std::max(0.0, std::sin(std::min(Pi, angle / (2 - quarters)))) : 0.0;
 }
 
+double QuadSizeAt(double quadSize, double loopLength)
+{
+  constexpr double LoopFraction = 0.125;
+  return std::min(quadSize, LoopFraction * loopLength);
+}
+
 BoundaryVertices::BoundaryVertices(const OptimizerStage& stage)
   : reach(BoundaryReach * stage.objective->LengthUnit())
   , quadSize(stage.quadSize)
@@ -65,9 +71,8 @@ double BoundaryVertices::AngleForQuads(std::size_t vertex, std::size_t ignored) 
 {
   // Quads at a point with an index are smaller than others, and those between two such points are
   // smaller than their distance.
-  constexpr double SizeFraction = 0.35;
   constexpr double IndexFraction = 0.25;
-  const double own = SizeFraction * this->QuadRange(vertex);
+  const double own = PartSeen * this->QuadRange(vertex);
   const double range =
     std::min(own, IndexFraction * this->DistanceToIndex(vertex, ignored, own / IndexFraction));
   const Corner& corner = this->vertices[vertex];
@@ -113,8 +118,7 @@ bool BoundaryVertices::Allows(std::size_t vertex, int index, std::size_t ignored
 
 double BoundaryVertices::QuadRange(std::size_t vertex) const
 {
-  constexpr double LoopFraction = 0.125;
-  return std::min(this->quadSize, LoopFraction * this->loopLengths[this->vertices[vertex].loop]);
+  return QuadSizeAt(this->quadSize, this->loopLengths[this->vertices[vertex].loop]);
 }
 
 double BoundaryVertices::DistanceToIndex(

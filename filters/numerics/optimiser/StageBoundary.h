@@ -14,6 +14,12 @@ double CornerCoefficient(const Corner& corner, int quarters);
 /// k: sin(α / m) with m = 2 − k quads, 0 if there are none or α / m ≥ π.
 double CornerQuality(double angle, int quarters);
 
+/// Part of a quad within which the boundary counts for the angle that the quads have to fill.
+constexpr double PartSeen = 0.35;
+
+/// Returns the size of quads at a loop, which has at least eight along it.
+double QuadSizeAt(double quadSize, double loopLength);
+
 /// Boundary vertices of a stage as corners, with the quarter index of each.
 struct BoundaryVertices
 {
@@ -50,7 +56,7 @@ struct BoundaryVertices
   bool IsSmooth(const Point& position) const;
 
 private:
-  /// Returns the distance along the boundary at which AngleForQuads looks for points.
+  /// Returns the size of quads at the loop of a vertex.
   double QuadRange(std::size_t vertex) const;
   /// Returns the distance along the boundary to another vertex with an index, at most `range`.
   double DistanceToIndex(std::size_t vertex, std::size_t ignored, double range) const;

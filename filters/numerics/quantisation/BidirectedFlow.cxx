@@ -209,6 +209,11 @@ EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem)
       open.rbegin(), open.rend(), [](const Branch& a, const Branch& b) { return a.cost < b.cost; });
     Branch branch = std::move(*lowest);
     open.erase(std::next(lowest).base());
+    if (!best.counts.empty() && branch.cost >= best.cost - CostRounding(best.bound))
+    {
+      open.clear(); // no other one is lower
+      break;
+    }
     const RelaxedCounts relaxed = SolveRelaxedCounts(problem, branch.lower, branch.upper);
     if (++best.nodes == 1)
     {
