@@ -153,11 +153,12 @@ void FitOthers(const PlanarDomain& domain, const AutomaticOptions& options,
       [&](const Singularity& a, const Singularity& b)
       { return a.quarterIndex == b.quarterIndex && (a.position - b.position).norm() < seen; });
   };
-  for (auto& [other, quadsAtHoles, movesForSizes] : candidates)
+  for (Candidate& candidate : candidates)
   {
+    AutomaticConfiguration& other = candidate.configuration;
     try
     {
-      FitToQuads(domain, limited, quadsAtHoles, movesForSizes, progress, other);
+      FitToQuads(domain, limited, candidate.quadsAtHoles, candidate.movesForSizes, progress, other);
       if (!isSame(other, best) &&
         std::none_of(others.begin(), others.end(),
           [&](const AutomaticConfiguration& known) { return isSame(known, other); }))
