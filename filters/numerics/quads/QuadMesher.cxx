@@ -71,8 +71,10 @@ public:
     const std::vector<std::vector<Isometry>> lists = this->SymmetriesToTry();
     const auto count = static_cast<double>(lists.size());
     std::optional<EdgeCounts> best;
+    const bool isField = this->Options.sizes.sizing == Sizing::Field;
     for (std::size_t i = 0; i < lists.size(); ++i)
     {
+      this->Balances = isField;
       this->Orbits = this->FindOrbits(lists[i]);
       if (this->Orbits->CountSymmetries() == 1 && i + 1 < lists.size())
       {
@@ -80,6 +82,15 @@ public:
       }
       const auto done = static_cast<double>(i);
       EdgeCounts found = this->FindCounts(progress.Part(done / count, (done + 1.0) / count));
+      if (isField && this->CountError(found) > CountTolerance)
+      {
+        // Any number of rows between the targets of a strip's ends will do.
+        this->Balances = false;
+        EdgeCounts other =
+          this->FindCounts(progress.Part((done + 1.0) / count, (done + 1.0) / count));
+        found =
+          this->CountError(other) < this->CountError(found) ? std::move(other) : std::move(found);
+      }
       if (!best || this->CountError(found) < this->CountError(*best))
       {
         best = std::move(found);
@@ -224,6 +235,10 @@ private:
     QuantisationProblem problem = MakeQuantisationProblem(this->Result.tMesh, std::move(target));
     problem.sums = this->Sums;
     this->Graded.SetWeights(problem);
+    if (this->Balances)
+    {
+      BalanceTargets(this->Result.tMesh, problem);
+    }
     constexpr double WithoutEdges =
       1000.0; // factor of the cost of an edge where there should be none
     for (const std::size_t arc : this->Options.arcsWithoutEdges)
@@ -429,6 +444,7 @@ private:
   const GradedArcs Graded;
   const SmoothLoops LoopsWithoutCorners;
   const std::vector<CountSum> Sums; ///< Prescribed for sides of the boundary.
+  bool Balances = false;            ///< Whether strips take the means of their targets.
   std::optional<ArcOrbits> Orbits;  ///< Set by ComputeCounts.
 };
 }

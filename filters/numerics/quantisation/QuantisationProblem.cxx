@@ -108,6 +108,58 @@ QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<doubl
   return problem;
 }
 
+void BalanceTargets(const TMesh& mesh, QuantisationProblem& problem)
+{
+  constexpr int MostSweeps = 1000; // enough for strips through dozens of patches
+  constexpr double Balanced = 1e-3;
+  const auto sumOver = [](const std::vector<int>& side, const std::vector<double>& values)
+  {
+    double sum = 0.0;
+    for (const int half : side)
+    {
+      sum += values[Index(half / 2)];
+    }
+    return sum;
+  };
+  double largest = 2.0 * Balanced;
+  for (int sweep = 0; sweep < MostSweeps && largest > Balanced; ++sweep)
+  {
+    largest = 0.0;
+    for (std::size_t i = 0; i < mesh.patches.size(); ++i)
+    {
+      const std::size_t p = sweep % 2 == 0 ? i : mesh.patches.size() - 1 - i;
+      for (const std::size_t first : { std::size_t(0), std::size_t(1) })
+      {
+        const std::array<const std::vector<int>*, 2> sides = { &mesh.patches[p].sides[first],
+          &mesh.patches[p].sides[first + 2] };
+        std::array<double, 2> sums{};
+        std::array<double, 2> weights{};
+        for (std::size_t side = 0; side < 2; ++side)
+        {
+          sums[side] = sumOver(*sides[side], problem.target);
+          weights[side] = sumOver(*sides[side], problem.weight);
+        }
+        if (!(sums[0] > 0.0 && sums[1] > 0.0))
+        {
+          continue;
+        }
+        const double ratio = std::log(sums[1] / sums[0]);
+        largest = std::max(largest, std::abs(ratio));
+        const std::array<double, 2> changes = { std::exp(
+                                                  ratio * weights[1] / (weights[0] + weights[1])),
+          std::exp(-ratio * weights[0] / (weights[0] + weights[1])) };
+        for (std::size_t side = 0; side < 2; ++side)
+        {
+          for (const int half : *sides[side])
+          {
+            problem.target[Index(half / 2)] *= changes[side];
+          }
+        }
+      }
+    }
+  }
+}
+
 QuantisationProblem WithSumsAsEquations(QuantisationProblem problem)
 {
   const auto isEquation = [&problem](const CountSum& sum)

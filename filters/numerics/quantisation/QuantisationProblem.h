@@ -55,6 +55,11 @@ struct QuantisationProblem
 /// beside the arc, measured in target counts as well, so that the objective is a number of quads.
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<double> target);
 
+/// Replaces target counts by ones that fulfil the equations of the patches, by iterative proportional
+/// fitting: the sums of opposite sides become their geometric mean, with the weights of their arcs.
+/// Without it, any count between the targets at both ends of a strip costs the same.
+void BalanceTargets(const TMesh& mesh, QuantisationProblem& problem);
+
 /// Returns the problem with equations instead of sums Σ ± n_a = 0 whose arcs are in one equation each, as
 /// those of paired sides are: an arc of the boundary is in one equation of a patch. The problem is a flow
 /// if no sums are left.

@@ -85,10 +85,15 @@ std::vector<int> GradedArcs::ArcsWithCounts() const
 
 void GradedArcs::SetWeights(QuantisationProblem& problem) const
 {
-  // Arcs across the domain, whose targets are those of the size field, give way to these.
+  // Arcs across the domain, whose targets are those of the size field, give way to these. A size of a side is a
+  // part of that field, and bounds of its edges are sums.
   constexpr double Preference = 100.0;
   for (const Part& part : this->Parts)
   {
+    if (this->Prescribed[part.side].size > 0.0)
+    {
+      continue;
+    }
     for (const int arc : part.arcs)
     {
       problem.weight[arc] *= Preference;

@@ -131,6 +131,61 @@ TEST(Quantisation, AgreesWithBruteForce)
   }
 }
 
+TEST(Quantisation, BalancedTargetsFulfilTheEquations)
+{
+  Random random(5);
+  const TMesh meshes[] = { TMeshOf(LShape(), {}, 0.1), TMeshOf(RingOfEdges(0.2), {}, 0.1),
+    TMeshOf(MakePlanarDomain({ { { 0.0, 0.0 }, { 2.0, 0.0 }, { 0.8, 1.8 } } }),
+      { { { 0.9, 0.6 }, 1 } }, 0.1) };
+  for (const TMesh& mesh : meshes)
+  {
+    QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.1);
+    const std::vector<double> consistent = problem.target;
+    BalanceTargets(mesh, problem);
+    for (std::size_t a = 0; a < problem.Count(); ++a)
+    {
+      EXPECT_NEAR(
+        problem.target[a], consistent[a], 1e-2 * consistent[a]); // those of a map do already
+    }
+    for (double& target : problem.target)
+    {
+      target *= random.Uniform(0.5, 2.0);
+    }
+    BalanceTargets(mesh, problem);
+    std::vector<double> sums(static_cast<std::size_t>(problem.equations), 0.0);
+    double largest = 0.0;
+    for (std::size_t a = 0; a < problem.Count(); ++a)
+    {
+      EXPECT_GE(problem.target[a], 0.0);
+      largest = std::max(largest, problem.target[a]);
+      for (const EquationTerm& term : problem.terms[a])
+      {
+        sums[static_cast<std::size_t>(term.equation)] += term.sign * problem.target[a];
+      }
+    }
+    for (const double sum : sums)
+    {
+      EXPECT_NEAR(sum, 0.0, 2e-3 * largest);
+    }
+  }
+}
+
+TEST(Quantisation, BalancedTargetsOfAStripAreTheirGeometricMean)
+{
+  const TMesh mesh = TMeshOf(
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 0.0, 1.0 } } }), {}, 0.2);
+  ASSERT_EQ(mesh.patches.size(), 1U);
+  QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.1);
+  const auto arcOf = [&](std::size_t side)
+  { return static_cast<std::size_t>(mesh.patches[0].sides[side][0] / 2); };
+  problem.target[arcOf(0)] = 8.0;
+  problem.target[arcOf(2)] = 18.0;
+  problem.weight[arcOf(0)] = problem.weight[arcOf(2)];
+  BalanceTargets(mesh, problem);
+  EXPECT_NEAR(problem.target[arcOf(0)], 12.0, 1e-9);
+  EXPECT_NEAR(problem.target[arcOf(2)], 12.0, 1e-9);
+}
+
 /// Equations of paired sides, here of random arcs of the boundary: nearly always the flow alone is optimal with
 /// them, and Quantise is with separation. Where that is impossible, the message names the equation.
 TEST(Quantisation, AgreesWithBruteForceForPairs)
