@@ -7,6 +7,7 @@
 #include "OptimizerStage.h"
 #include "PoincareHopf.h"
 #include "QuadClearance.h"
+#include "SizedChoice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +84,14 @@ AutomaticConfiguration ChooseConfiguration(
   DrillOptions drillOptions;
   drillOptions.meshSize = options.optimizer.meshSize;
   RequireMemoryForMesh(domain, {}, ResolveMeshSize(drillOptions, domain), drillOptions.gradation);
+
+  if (options.optimizer.sizes.sizing == Sizing::Field && options.proposal.given.empty())
+  {
+    if (std::optional<AutomaticConfiguration> sized = ChooseForSizes(domain, options, progress))
+    {
+      return std::move(*sized);
+    }
+  }
 
   // The energy alone decides which singularities there are, while they may move close to the
   // boundary. The clearance for quads and the target sizes apply afterwards.

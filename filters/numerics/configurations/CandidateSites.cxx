@@ -34,13 +34,16 @@ SymmetryGroup Reduced(SymmetryGroup group)
 class SiteCollection
 {
 public:
-  SiteCollection(const PlanarDomain& domain, double clearance)
+  SiteCollection(const PlanarDomain& domain, const SymmetryGroup& group)
+    : SiteCollection(domain, group.Elements())
+  {
+    this->Sites.group = group;
+  }
+  SiteCollection(const PlanarDomain& domain, std::vector<Isometry> elements)
     : Boundary(domain)
-    , Clearance(clearance)
     , Reach(SymmetryReach * domain.Diagonal())
   {
-    this->Sites.group = Reduced(FindCurveSymmetries(domain));
-    this->Sites.elements = this->Sites.group.Elements();
+    this->Sites.elements = std::move(elements);
     this->Sites.images.resize(this->Sites.elements.size());
   }
 
@@ -48,12 +51,12 @@ public:
   const SymmetryGroup& Group() const { return this->Sites.group; }
   std::size_t Count() const { return this->Sites.positions.size(); }
 
-  /// Adds a position and its images, if all are inside and `spacing` away from other sites. A
-  /// position that is closer to some of its images is moved between them.
-  void Add(Point place, double spacing)
+  /// Adds a position and its images, if all are `clearance` away from the boundary and `spacing` from other
+  /// sites. A position that is closer to some of its images is moved between them.
+  void Add(Point place, double spacing, double clearance)
   {
     place = this->MovedToFixed(place, spacing);
-    if (this->DistanceAt(place) < this->Clearance)
+    if (this->DistanceAt(place) < clearance)
     {
       return;
     }
@@ -130,7 +133,6 @@ private:
   }
 
   SegmentSearch Boundary;
-  double Clearance;
   double Reach;
   CandidateSites Sites;
 };
@@ -185,7 +187,7 @@ void AddAroundHoles(const PlanarDomain& domain, double clearance, SiteCollection
     {
       const double angle = first + 2.0 * Pi * i / count;
       sites.Add(hole.centre + radius * Point(std::cos(angle), std::sin(angle)),
-        std::min(clearance, 0.8 * 2.0 * Pi * radius / count));
+        std::min(clearance, 0.8 * 2.0 * Pi * radius / count), clearance);
     }
   }
 }
@@ -198,7 +200,7 @@ void AddAlongAxes(const PlanarDomain& domain, double clearance, SiteCollection& 
     return;
   }
   const double step = 1.05 * clearance;
-  sites.Add(group.centre, step);
+  sites.Add(group.centre, step, clearance);
   if (!group.reflects)
   {
     return;
@@ -210,7 +212,7 @@ void AddAlongAxes(const PlanarDomain& domain, double clearance, SiteCollection& 
     const Point direction(std::cos(angle), std::sin(angle));
     for (int i = -steps; i <= steps; ++i)
     {
-      sites.Add(group.centre + i * step * direction, 0.95 * step);
+      sites.Add(group.centre + i * step * direction, 0.95 * step, clearance);
     }
   }
 }
@@ -251,14 +253,62 @@ void AddLattice(const PlanarDomain& domain, double clearance, SiteCollection& si
     [](const Candidate& a, const Candidate& b) { return a.spacing < b.spacing; });
   for (const Candidate& candidate : candidates)
   {
-    sites.Add(candidate.place, candidate.spacing);
+    sites.Add(candidate.place, candidate.spacing, clearance);
   }
 }
 }
 
+SymmetryGroup SearchedSymmetries(const PlanarDomain& domain)
+{
+  return Reduced(FindCurveSymmetries(domain));
+}
+
+CandidateSites FindSitesForSizes(const PlanarDomain& domain, const SymmetryGroup& symmetries,
+  const std::vector<Point>& places, const SizeFunction& size)
+{
+  constexpr std::size_t MostSites = 900;
+  constexpr double Clearance = 1.3;
+  constexpr double Wider = 1.12;
+  for (double spacing = 1.6;; spacing *= Wider)
+  {
+    SiteCollection sites(domain, symmetries);
+    if (!symmetries.IsTrivial())
+    {
+      const double atCentre = size(symmetries.centre);
+      sites.Add(symmetries.centre, spacing * atCentre, Clearance * atCentre);
+    }
+    for (const Point& place : places)
+    {
+      const double here = size(place);
+      sites.Add(place, spacing * here, Clearance * here);
+      if (sites.Count() > MostSites)
+      {
+        break;
+      }
+    }
+    if (sites.Count() <= MostSites)
+    {
+      return sites.Release();
+    }
+  }
+}
+
+CandidateSites CloseUnderSymmetries(const PlanarDomain& domain,
+  const std::vector<Isometry>& symmetries, const std::vector<Point>& places, std::size_t kept,
+  const SizeFunction& size)
+{
+  SiteCollection sites(domain, symmetries);
+  const double apart = 1e-7 * domain.Diagonal(); // only equal places are one
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    sites.Add(places[i], apart, i < kept ? 0.0 : size(places[i]));
+  }
+  return sites.Release();
+}
+
 CandidateSites FindCandidateSites(const PlanarDomain& domain, double clearance)
 {
-  SiteCollection sites(domain, clearance);
+  SiteCollection sites(domain, SearchedSymmetries(domain));
   AddAroundHoles(domain, clearance, sites);
   AddAlongAxes(domain, clearance, sites);
   AddLattice(domain, clearance, sites);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoundarySymmetry.h"
+#include "TargetSize.h"
 
 #include <vector>
 
@@ -15,6 +16,20 @@ struct CandidateSites
   /// For each element and each position, the position that it is mapped to.
   std::vector<std::vector<std::size_t>> images;
 };
+
+/// Returns the symmetries of the curves of a domain, with at most twelve rotations.
+SymmetryGroup SearchedSymmetries(const PlanarDomain& domain);
+
+/// Returns sites about 1.6 target sizes apart and 1.3 from the boundary, among places of which those that come
+/// first have precedence, closed under symmetries: at most 900, farther apart where there would be more.
+CandidateSites FindSitesForSizes(const PlanarDomain& domain, const SymmetryGroup& symmetries,
+  const std::vector<Point>& places, const SizeFunction& size);
+
+/// Returns places and their images under some symmetries of a domain, at least 1 target size from the
+/// boundary, in any case the first `kept` of them.
+CandidateSites CloseUnderSymmetries(const PlanarDomain& domain,
+  const std::vector<Isometry>& symmetries, const std::vector<Point>& places, std::size_t kept,
+  const SizeFunction& size);
 
 /// Returns the sites of the search of docs/method.md §5.10: around round holes, along the axes of
 /// reflections, and a lattice that is finer where the boundary is closer. All are at least

@@ -142,7 +142,7 @@ std::vector<SearchedConfiguration> SearchConfigurations(
           { sites.positions[static_cast<std::size_t>(i)], one.indices[i], 0.0 });
       }
     }
-    result.symmetries = one.symmetries;
+    result.symmetries = one.kept.size();
     result.objective = one.objective;
     found.push_back(std::move(result));
   }

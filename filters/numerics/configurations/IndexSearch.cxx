@@ -82,8 +82,8 @@ public:
     }
   }
 
-  /// Returns a minimum that no move lowers, or nothing if the sum cannot be reached.
-  std::optional<OrbitState> Run() const
+  /// Returns indices with the sum, or nothing if it cannot be reached.
+  std::optional<OrbitState> Start() const
   {
     OrbitState state(this->Form);
     while (state.Sum() != this->Form.total)
@@ -93,9 +93,11 @@ public:
         return std::nullopt;
       }
     }
-    this->Descend(NodeChanges::Any, state);
     return state;
   }
+
+  void Descend(OrbitState& state) const { this->Descend(NodeChanges::Any, state); }
+  void Shift(OrbitState& state) const { this->Descend(NodeChanges::None, state); }
 
   /// Returns the lowest of several states that follow from a minimum when one of the moves that add
   /// nodes at the lowest cost is made, and then those that keep their number.
@@ -342,9 +344,9 @@ private:
 };
 
 /// Returns the elements that map indices to themselves.
-std::vector<Isometry> KeptSymmetries(const CandidateSites& sites, const Eigen::VectorXi& indices)
+Subgroup KeptSymmetries(const CandidateSites& sites, const Eigen::VectorXi& indices)
 {
-  std::vector<Isometry> kept;
+  Subgroup kept;
   for (std::size_t g = 0; g < sites.elements.size(); ++g)
   {
     const std::vector<std::size_t>& images = sites.images[g];
@@ -356,7 +358,7 @@ std::vector<Isometry> KeptSymmetries(const CandidateSites& sites, const Eigen::V
     }
     if (isKept)
     {
-      kept.push_back(sites.elements[g]);
+      kept.push_back(g);
     }
   }
   return kept;
@@ -375,10 +377,32 @@ SiteIndices IndicesOf(const CandidateSites& sites, const OrbitForm& orbits, cons
         state.GetIndices()[static_cast<Eigen::Index>(o)];
     }
   }
-  const std::vector<Isometry> kept = KeptSymmetries(sites, result.indices);
-  result.symmetries = kept.size();
-  result.objective = state.Energy() - WorthOfSymmetries(kept, sites.group);
+  result.kept = KeptSymmetries(sites, result.indices);
+  result.objective = state.Energy();
   return result;
+}
+
+/// Returns a form with the same values of indices with the right sum. Others, which the search passes,
+/// have an energy that depends on where the rest of their flux ends: it is spread over all sites.
+IndexForm Balanced(const IndexForm& form)
+{
+  IndexForm balanced = form;
+  Eigen::VectorXd means = form.form.matrix.rowwise().mean();
+  means.array() -= 0.5 * means.mean();
+  balanced.form.matrix.colwise() -= means;
+  balanced.form.matrix.rowwise() -= means.transpose();
+  balanced.form.linear += form.total * means;
+  return balanced;
+}
+
+/// Adds a result that is not among others.
+void AddNew(SiteIndices result, std::vector<SiteIndices>& found)
+{
+  if (std::none_of(found.begin(), found.end(),
+        [&](const SiteIndices& other) { return other.indices == result.indices; }))
+  {
+    found.push_back(std::move(result));
+  }
 }
 }
 
@@ -386,14 +410,7 @@ std::vector<SiteIndices> SearchIndices(
   const CandidateSites& sites, const IndexForm& form, double apart, const Progress& progress)
 {
   const auto count = static_cast<Eigen::Index>(sites.positions.size());
-  // Unbalanced indices, which the search passes, have an energy that depends on where the rest of
-  // their flux ends: it is spread over all sites.
-  IndexForm balanced = form;
-  Eigen::VectorXd means = form.form.matrix.rowwise().mean();
-  means.array() -= 0.5 * means.mean();
-  balanced.form.matrix.colwise() -= means;
-  balanced.form.matrix.rowwise() -= means.transpose();
-  balanced.form.linear += form.total * means;
+  const IndexForm balanced = Balanced(form);
   SitePairs isNear(count, count);
   for (Eigen::Index i = 0; i < count; ++i)
   {
@@ -407,13 +424,15 @@ std::vector<SiteIndices> SearchIndices(
   constexpr Eigen::Index ManySites = 800;
   const std::vector<Subgroup> subgroups = ClassesOfSubgroups(sites.group);
   std::vector<SiteIndices> found;
-  const auto add = [&](const SiteIndices& result)
+  const auto add = [&](SiteIndices result)
   {
-    if (std::none_of(found.begin(), found.end(),
-          [&](const SiteIndices& other) { return other.indices == result.indices; }))
+    std::vector<Isometry> kept;
+    for (const std::size_t g : result.kept)
     {
-      found.push_back(result);
+      kept.push_back(sites.elements[g]);
     }
+    result.objective -= WorthOfSymmetries(kept, sites.group);
+    AddNew(std::move(result), found);
   };
   for (std::size_t i = 0; i < subgroups.size(); ++i)
   {
@@ -421,11 +440,12 @@ std::vector<SiteIndices> SearchIndices(
     { return static_cast<double>(number) / static_cast<double>(subgroups.size()); };
     const OrbitForm orbits = MakeOrbitForm(sites, balanced, isNear, subgroups[i]);
     const OrbitSearch search(orbits, progress.Part(done(i), done(i + 1)));
-    const std::optional<OrbitState> minimum = search.Run();
+    std::optional<OrbitState> minimum = search.Start();
     if (!minimum)
     {
       continue;
     }
+    search.Descend(*minimum);
     add(IndicesOf(sites, orbits, *minimum));
     if (count <= ManySites)
     {
@@ -438,5 +458,63 @@ std::vector<SiteIndices> SearchIndices(
   std::stable_sort(found.begin(), found.end(),
     [](const SiteIndices& a, const SiteIndices& b) { return a.objective < b.objective; });
   return found;
+}
+
+std::vector<SiteIndices> SearchIndicesAtCosts(const CandidateSites& sites, const IndexForm& form,
+  const SitePairs& isNear, const std::vector<double>& costs,
+  const std::function<bool(const Eigen::VectorXi&)>& isEnough, const Progress& progress)
+{
+  const IndexForm balanced = Balanced(form);
+  const std::vector<Subgroup> subgroups = ClassesOfSubgroups(sites.group);
+  std::vector<SiteIndices> found;
+  for (std::size_t i = 0; i < subgroups.size(); ++i)
+  {
+    const auto done = [&](std::size_t number)
+    { return static_cast<double>(number) / static_cast<double>(subgroups.size()); };
+    OrbitForm orbits = MakeOrbitForm(sites, balanced, isNear, subgroups[i]);
+    const OrbitSearch search(orbits, progress.Part(done(i), done(i + 1)));
+    orbits.nodeCost = costs.front();
+    std::optional<OrbitState> state = search.Start();
+    for (std::size_t c = 0; state && c < costs.size(); ++c)
+    {
+      orbits.nodeCost = costs[c];
+      search.Descend(*state);
+      while (std::optional<OrbitState> kicked = search.Kick(*state))
+      {
+        search.Descend(*kicked);
+        if (!(kicked->Energy() < state->Energy() - 1e-6 * (1.0 + std::abs(state->Energy()))))
+        {
+          break;
+        }
+        state.emplace(std::move(*kicked));
+      }
+      SiteIndices result = IndicesOf(sites, orbits, *state);
+      const bool isLast = isEnough(result.indices);
+      AddNew(std::move(result), found);
+      if (isLast)
+      {
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+SiteIndices ShiftIndices(const CandidateSites& sites, const IndexForm& form,
+  const SitePairs& isNear, const Eigen::VectorXi& start, const Subgroup& symmetries)
+{
+  const OrbitForm orbits = MakeOrbitForm(sites, form, isNear, symmetries);
+  OrbitState state(orbits);
+  for (std::size_t o = 0; o < orbits.members.size(); ++o)
+  {
+    const auto orbit = static_cast<Eigen::Index>(o);
+    const int index = start[static_cast<Eigen::Index>(orbits.members[o].front())];
+    if (index != 0)
+    {
+      state.Make({ { orbit }, { index }, 1, state.Single(orbit, index) });
+    }
+  }
+  OrbitSearch(orbits, {}).Shift(state);
+  return IndicesOf(sites, orbits, state);
 }
 }

@@ -32,7 +32,7 @@ public:
 
   int Sum() const { return this->Total; }
   const Eigen::VectorXi& GetIndices() const { return this->Indices; }
-  /// Returns the form with the energy of the defects.
+  /// Returns the form with the energy of the defects, and with the changes of the costs of nodes so far.
   double Energy() const { return this->Value + this->Holonomy; }
 
   bool Allows(Eigen::Index orbit, int change) const
@@ -40,10 +40,12 @@ public:
     return std::abs(this->Indices[orbit] + change) <= this->Form.limits[orbit];
   }
 
-  /// Returns the change of the form by a single change, without that of the defects.
+  /// Returns the change of the form and of the cost of nodes by a single change, without that of the defects.
   double Single(Eigen::Index orbit, int change) const
   {
-    return change * this->Gradient[orbit] + 0.5 * change * change * this->Form.matrix(orbit, orbit);
+    return change * this->Gradient[orbit] +
+      0.5 * change * change * this->Form.matrix(orbit, orbit) +
+      this->Form.nodeCost * this->NodeChange(orbit, change);
   }
 
   bool Allows(const Move& move) const
@@ -64,14 +66,17 @@ public:
     int change = 0;
     for (int a = 0; a < move.count; ++a)
     {
-      const int index = this->Indices[move.orbits[a]];
-      change +=
-        this->Form.sizes[move.orbits[a]] * (std::abs(index + move.changes[a]) - std::abs(index));
+      change += this->NodeChange(move.orbits[a], move.changes[a]);
     }
     return change;
   }
+  int NodeChange(Eigen::Index orbit, int change) const
+  {
+    const int index = this->Indices[orbit];
+    return this->Form.sizes[orbit] * (std::abs(index + change) - std::abs(index));
+  }
 
-  /// Returns the change of the form by a move.
+  /// Returns the change of the form by a move, with the cost of nodes.
   double ChangeBy(const Move& move) const
   {
     double change = 0.0;

@@ -29,6 +29,7 @@ struct OrbitForm
   std::vector<int> sizes;
   std::vector<int> limits; ///< Of the absolute value of an index.
   int total = 0;
+  double nodeCost = 0.0; ///< Added to the form for each unit of an absolute value at each site.
 };
 
 /// Makes the form for the orbits of a subgroup, without those with members that are near each other.

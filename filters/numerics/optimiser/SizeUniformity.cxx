@@ -44,6 +44,12 @@ SizeUniformity::SizeUniformity(const PointPotential& potential, TargetSizes targ
   {
     this->LogTarget[v] = std::log(this->Target.At(mesh.points[v]));
   }
+  if (this->Target.sizing == Sizing::Field)
+  {
+    // By area alone, places with small quads would hardly count.
+    const Eigen::VectorXd quads = this->Masses.array() * (-2.0 * this->LogTarget.array()).exp();
+    this->Masses = 0.5 * this->Masses + 0.5 / quads.sum() * quads;
+  }
 }
 
 bool SizeUniformity::IsInvariantUnder(const PointPotential& potential, const Isometry& map) const

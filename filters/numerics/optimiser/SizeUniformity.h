@@ -9,6 +9,7 @@ namespace crossfield
 /// Measure of how closely the sizes of quads that follow a field are proportional to target sizes s
 /// (docs/method.md §5.7):
 ///   J = ½ ∫ (D − mean of D)² / area,   D = H − log s,
+/// where a size field counts half by area and half by quads, with the weight 1/s²,
 /// where H = Φ/4 with single-valued periods is the logarithm of the size. √(2J) is the standard
 /// deviation of the logarithm of size over target size. Without target sizes s = 1, and J measures
 /// how uniform sizes are.
@@ -50,9 +51,10 @@ private:
   /// Returns the solution for D times masses as sources, whose operator is symmetric.
   Eigen::VectorXd Adjoint(const PointPotential& potential, const Eigen::VectorXd& weighted) const;
 
-  Eigen::VectorXd Masses;    ///< Fraction of the area that each vertex represents.
-  double SquaredCore;        ///< ε², squared smoothing radius of logarithms.
-  TargetSizes Target;        ///< s.
+  Eigen::VectorXd
+    Masses;           ///< Fraction of the area, or of area and quads, that each vertex represents.
+  double SquaredCore; ///< ε², squared smoothing radius of logarithms.
+  TargetSizes Target; ///< s.
   Eigen::VectorXd LogTarget; ///< log s at vertices.
 };
 }

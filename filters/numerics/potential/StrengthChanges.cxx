@@ -101,7 +101,8 @@ StrengthChanges::Column StrengthChanges::MakeColumn(const Place& place) const
   return column;
 }
 
-void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) const
+void StrengthChanges::ComputeResponses(
+  const std::vector<Column*>& columns, Eigen::MatrixXd* atVertices) const
 {
   const PointPotential& points = this->Energy->GetPotential();
   const PotentialSolver& potential = *points.GetProblem().potential;
@@ -144,10 +145,19 @@ void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) cons
       }
     },
     MinimumColumns);
+  if (atVertices != nullptr)
+  {
+    const Eigen::Index vertices = points.GetProblem().Topology().VertexCount();
+    *atVertices = solution.topRows(vertices);
+    if (periods > 0)
+    {
+      *atVertices += DenseProduct(points.GetPeriodBasis().topRows(vertices), carried);
+    }
+  }
 }
 
 StrengthChanges::Form StrengthChanges::FormAt(
-  const std::vector<Place>& places, double coreRadius) const
+  const std::vector<Place>& places, double coreRadius, Eigen::MatrixXd* regular) const
 {
   const auto count = static_cast<Eigen::Index>(places.size());
   const double core = -std::log(coreRadius);
@@ -172,7 +182,13 @@ StrengthChanges::Form StrengthChanges::FormAt(
         }
       },
       MinimumColumns);
-    this->ComputeResponses(pointers);
+    Eigen::MatrixXd atVertices;
+    this->ComputeResponses(pointers, regular != nullptr ? &atVertices : nullptr);
+    if (regular != nullptr)
+    {
+      regular->conservativeResize(atVertices.rows(), count);
+      regular->middleCols(static_cast<Eigen::Index>(begin), atVertices.cols()) = -atVertices;
+    }
     for (std::size_t i = 0; i < size; ++i)
     {
       const auto c = static_cast<Eigen::Index>(begin + i);

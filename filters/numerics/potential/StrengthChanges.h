@@ -58,8 +58,10 @@ public:
     Eigen::MatrixXd defectChanges; ///< A row for each inner loop.
     Eigen::MatrixXd defectEnergy;
   };
-  /// Returns the form for places, which need not be prepared.
-  Form FormAt(const std::vector<Place>& places, double coreRadius) const;
+  /// Returns the form for places, which need not be prepared. `regular`, if given, receives R of a
+  /// quarter at each place at all vertices, single-valued, a column for each.
+  Form FormAt(
+    const std::vector<Place>& places, double coreRadius, Eigen::MatrixXd* regular = nullptr) const;
 
   /// Makes the changed configuration the given one.
   void Accept(const std::vector<Change>& changes);
@@ -93,7 +95,10 @@ private:
   double StrengthAt(const Point& position) const;
   /// Returns the logarithm of a place, with its flow.
   Column MakeColumn(const Place& place) const;
-  void ComputeResponses(const std::vector<Column*>& columns) const;
+  /// Computes the responses of columns. `atVertices`, if given, receives 𝓡 flux at all vertices, a
+  /// column for each.
+  void ComputeResponses(
+    const std::vector<Column*>& columns, Eigen::MatrixXd* atVertices = nullptr) const;
 
   std::shared_ptr<const PositionEnergy> Energy;
   std::map<int, std::size_t> EntryOf; ///< Entry of mesh.boundary that starts at a vertex.

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "PlanarDomain.h"
+#include "Progress.h"
+#include "SizeSearchOptions.h"
+
+#include <vector>
+
+namespace crossfield
+{
+/// Singularities with which sizes are near to target sizes.
+struct SizedConfiguration
+{
+  Configuration singularities; ///< Given ones first.
+  /// Standard deviation of the logarithm of size over target size, half by area and half by quads.
+  double spread = 0.0;
+  std::size_t symmetries = 1; ///< Of the domain with its target sizes that the singularities have.
+};
+
+/// Returns the spread of the given singularities.
+double SpreadOfSizes(const PlanarDomain& domain, const SizeSearchOptions& options);
+
+/// Searches the singularities whose field has target sizes s with few nodes (docs/method.md §5.11): minima of
+///   10⁴ ½ |H − log s|² + ε W + γ Σ |k|
+/// over the quarter indices k at sites about 1.6 quads apart, for a descending cost γ of a node, whose
+/// positions are then refined to a fifth of a quad. Returns configurations with different numbers of
+/// nodes, that with the fewest first; those whose spread is not lower than that of one with fewer
+/// nodes are left out, and more nodes than those of the first with a spread of 0.15 are not tried. Returns
+/// none if the domain has no room for sites.
+std::vector<SizedConfiguration> SearchForSizes(
+  const PlanarDomain& domain, const SizeSearchOptions& options, const Progress& progress = {});
+}
