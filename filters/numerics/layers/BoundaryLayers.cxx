@@ -441,7 +441,8 @@ std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCur
   MakeSymmetricAndPeriodic(layered.mesh, curves, domain, quads.smoothing);
   const std::vector<LayerReport> reports = layerer.Measure();
   quads.mesh = std::move(layered.mesh);
-  quads.blocks = FindBlocks(quads.mesh, layered.regions);
+  quads.regions = std::move(layered.regions);
+  quads.blocks = FindBlocks(quads.mesh, quads.regions);
   quads.quality = MeasureQuads(quads.mesh, quads.size);
   return reports;
 }

@@ -28,6 +28,7 @@ struct SidePrescription
   Progression progression; ///< Used if isGraded.
   /// Length of all edges, met within SizeTolerance; 0: not prescribed.
   double size = 0.0;
+  double inside = 0.0; ///< Target size of quads in what the side encloses; 0: not prescribed.
 };
 
 using SidePrescriptions = std::vector<SidePrescription>;

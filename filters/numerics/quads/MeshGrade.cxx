@@ -44,7 +44,9 @@ double AreaError(const QuadResult& quads)
 double CountExcess(const QuadResult& quads, double quadSize, int quadCount)
 {
   const auto count = static_cast<double>(quads.mesh.quads.size());
-  return quadSize > 0.0 ? 0.0 : std::max(0.0, std::abs(count / quadCount - 1.0) - CountTolerance);
+  return quadSize > 0.0 || quadCount == 0
+    ? 0.0
+    : std::max(0.0, std::abs(count / quadCount - 1.0) - CountTolerance);
 }
 
 bool IsAsGood(const QuadQuality& quality, const QuadQuality& other, const MergeTolerance& tolerance)

@@ -48,7 +48,7 @@ MeshGrade GradeOf(const QuadResult& quads, double quadSize, int quadCount, doubl
 double AreaError(const QuadResult& quads);
 
 /// Returns the relative error of a requested number of quads beyond CountTolerance, 0 if a size was
-/// requested.
+/// requested or no number.
 double CountExcess(const QuadResult& quads, double quadSize, int quadCount);
 
 /// How much worse than another mesh one with fewer blocks may be: bounds of its minimum and mean scaled

@@ -13,6 +13,8 @@ namespace crossfield
 struct QuadResult
 {
   QuadMesh mesh;
+  /// Per quad, a number that is 0 outside of layers (LayeredMesh::regions); empty without layers.
+  std::vector<int> regions;
   TMesh tMesh;       ///< T-mesh of the layout, with nodes where sides and graded parts of them end.
   double size = 0.0; ///< Edge length of quads in the map.
   EdgeCounts counts;

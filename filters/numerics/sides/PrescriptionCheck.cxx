@@ -27,6 +27,10 @@ void RequireInRange(const std::string& name, const SidePrescription& prescribed)
   {
     throw Error("The size at side " + Quoted(name) + " is not a positive number; correct it.");
   }
+  if (prescribed.inside != 0.0 && !isPositive(prescribed.inside))
+  {
+    throw Error("The size inside side " + Quoted(name) + " is not a positive number; correct it.");
+  }
   if (!prescribed.isGraded)
   {
     return;

@@ -31,6 +31,7 @@ std::vector<std::size_t> OrderAlternatives(
   const std::vector<Alternative>& alternatives, std::optional<MeshPreference> preference)
 {
   constexpr double SeenInShape = 0.03;
+  constexpr double WorthOfSizes = 0.05; // of shape
   constexpr double SeenInSizes = 0.1;
   double attained = 0.0;
   double jacobian = 0.0;
@@ -46,16 +47,20 @@ std::vector<std::size_t> OrderAlternatives(
   }
   const auto key = [&](const Alternative& one)
   {
-    const bool isPoor =
-      (one.attained < attained - SeenInShape && one.scaledJacobian < jacobian - SeenInShape) ||
-      (preference != MeshPreference::Uniform && one.sizeVariation > variation + SeenInSizes);
-    const double first = !preference          ? one.rank
+    // Variations of sizes are what target sizes ask for.
+    const bool isSized = one.met.has_value();
+    const double seen = isSized ? WorthOfSizes : SeenInShape;
+    const bool isPoor = (one.attained < attained - seen && one.scaledJacobian < jacobian - seen) ||
+      (!isSized && preference != MeshPreference::Uniform &&
+        one.sizeVariation > variation + SeenInSizes);
+    const double first = !preference          ? (isSized ? one.nodes : one.rank)
       : *preference == MeshPreference::Nodes  ? one.nodes
       : *preference == MeshPreference::Blocks ? one.blocks
                                               : one.sizeVariation;
-    const double cost = one.sizeVariation / SeenInSizes - one.scaledJacobian / SeenInShape;
-    return std::make_tuple(!one.isValid, isPoor, first, preference ? 0 : -one.symmetries,
-      one.excess > 0.0, one.blocks, one.nodes, cost);
+    const double cost =
+      (isSized ? 0.0 : one.sizeVariation / SeenInSizes) - one.scaledJacobian / SeenInShape;
+    return std::make_tuple(!one.isValid, -one.met.value_or(1.0), isPoor, first,
+      preference ? 0 : -one.symmetries, one.excess > 0.0, one.blocks, one.nodes, cost);
   };
   std::vector<std::size_t> order(alternatives.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });

@@ -275,6 +275,11 @@ private:
     Append(to.warnings, from.warnings, name);
     Append(to.holonomyDefect, from.holonomyDefect);
     Append(to.layers, from.layers);
+    if (from.sizes)
+    {
+      to.sizes = to.sizes ? std::move(to.sizes) : SizeReport();
+      to.sizes->Add(*from.sizes);
+    }
     this->AddRepair(from);
     this->AddBlockCounts(from.blocks);
     for (double QuadSeconds::*stage :

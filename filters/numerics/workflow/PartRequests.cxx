@@ -125,6 +125,16 @@ std::vector<PartRequest> SplitRequest(
     weights.push_back(WeightOf(part.domain, request));
     sum += weights.back();
   }
+  if (request.quadSize == 0.0 && request.quadCount == 0 && request.sizing != Sizing::Field)
+  {
+    // That of one part would depend on the part.
+    double area = 0.0;
+    for (const DomainPart& part : parts)
+    {
+      area += part.domain.Area();
+    }
+    request.quadSize = std::sqrt(area / DefaultQuads);
+  }
   const auto partAt = [&](const Point& place)
   {
     std::vector<double> distances;
@@ -144,7 +154,7 @@ std::vector<PartRequest> SplitRequest(
     own.givenCurves = parts[p].curves;
     result[p].share = weights[p] / sum;
     own.quadCount = request.quadCount < 1
-      ? request.quadCount // which is refused
+      ? request.quadCount // as many as sizes need; a negative one is refused
       : std::max(1, static_cast<int>(std::lround(result[p].share * request.quadCount)));
     Keep(own.sideRequests, [&](const SideRequest& one) { return hasSide(one.side); });
     Keep(own.corners, [&](const CornerChoice& corner) { return isHere(corner.position); });

@@ -9,7 +9,7 @@
 
 namespace crossfield
 {
-RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTopology& topology)
+Eigen::VectorXd SampleSizes(const PrescribedSizes& sizes, const PlanarTopology& topology)
 {
   const TriangleMesh& mesh = topology.mesh;
   Eigen::VectorXd lengths(static_cast<Eigen::Index>(mesh.points.size()));
@@ -20,15 +20,19 @@ RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTop
       const int vertex = edge.vertices[0];
       lengths[vertex] = sizes.length(topology.PointAt(vertex));
     }
-    lengths = ExtendSizes(topology, lengths);
+    return ExtendSizes(topology, lengths);
   }
-  else
+  for (Eigen::Index v = 0; v < lengths.size(); ++v)
   {
-    for (Eigen::Index v = 0; v < lengths.size(); ++v)
-    {
-      lengths[v] = sizes.length(mesh.points[v]);
-    }
+    lengths[v] = sizes.length(mesh.points[v]);
   }
+  return lengths;
+}
+
+RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTopology& topology)
+{
+  const TriangleMesh& mesh = topology.mesh;
+  Eigen::VectorXd lengths = SampleSizes(sizes, topology);
   RelativeSizes result;
   result.mean = EquivalentSize(mesh, lengths);
   lengths /= result.mean;

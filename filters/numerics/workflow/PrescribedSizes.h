@@ -13,6 +13,7 @@ struct PrescribedSizes
   SizeFunction length;
   /// Whether lengths are known on the boundary only. Inside, log h is then harmonic (ExtendSizes).
   bool isOnBoundaryOnly = false;
+  std::vector<Point> places; ///< Where the data have lengths, between which they are interpolated.
 };
 
 /// Prescribed sizes as a relative size field and a unit.
@@ -22,8 +23,11 @@ struct RelativeSizes
   double mean = 0.0;  ///< Side length of equal quads that would be as many (EquivalentSize).
 };
 
-/// Samples prescribed sizes at the vertices of a mesh, continues them inside if they are known on
-/// the boundary only, and divides them by their mean (docs/method.md §14.8).
+/// Samples prescribed sizes at the vertices of a mesh, and continues them inside if they are known on
+/// the boundary only (docs/method.md §14.8).
+Eigen::VectorXd SampleSizes(const PrescribedSizes& sizes, const PlanarTopology& topology);
+
+/// Divides the samples by their mean.
 RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTopology& topology);
 
 /// Does the same on a mesh of the domain without singularities. `meshSize` is the edge length of

@@ -236,6 +236,10 @@ private:
       alternatives.push_back(AlternativeOf(outcome.value->quads,
         outcome.value->singularities.size(), this->Request.quadSize, this->Request.quadCount));
       alternatives.back().rank = this->Placed->RankOf(i);
+      if (outcome.value->sizes)
+      {
+        alternatives.back().met = outcome.value->sizes->Met();
+      }
       results.push_back(std::move(*outcome.value));
       choices.push_back(std::move(steps));
     }

@@ -48,12 +48,12 @@ struct QuadAttemptRecord
 std::optional<QuadAttempt> NextAttempt(const PlanarDomain& domain, const ResolvedRequest& request,
   const std::vector<QuadAttemptRecord>& made);
 
-/// Makes the quads of a request of WithSideSizes: makes attempts until there is nothing more to
+/// Makes the quads of a request of WithSizeTargets: makes attempts until there is nothing more to
 /// try, and returns the best of them (MeshGrade.h). Throws Error if none has quads.
 QuadWorkflowResult MakeAttempts(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress);
 
-/// Makes the quads of a request of WithSideSizes by the first attempt alone. Throws Error if it has
+/// Makes the quads of a request of WithSizeTargets by the first attempt alone. Throws Error if it has
 /// none.
 QuadWorkflowResult MakeFirstAttempt(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress);

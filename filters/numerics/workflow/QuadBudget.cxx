@@ -2,8 +2,10 @@
 
 #include "DomainQueries.h"
 #include "Error.h"
+#include "LoopArc.h"
 #include "MemoryBudget.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace crossfield
@@ -41,12 +43,37 @@ void RequireQuadSize(const PlanarDomain& domain, double quadSize)
 
 void RequireQuadBudget(const PlanarDomain& domain, const ResolvedRequest& request)
 {
+  double perimeter = 0.0;
+  for (const Loop& loop : domain.loops)
+  {
+    perimeter += LoopArc(loop).Length();
+  }
+  for (const SizeNear& near : request.sizesNear)
+  {
+    RequireCount(
+      std::max(near.radius * near.radius / (near.size * near.size), domain.Diagonal() / near.size),
+      "A mesh with quads of size " + Rounded(near.size) + " near " + Describe(near.place),
+      "use a larger size");
+  }
   for (const SidePrescription& one : request.prescribed)
   {
     const std::string& name = request.sides.names[one.side];
+    for (const double size : { one.size, one.inside })
+    {
+      if (size > 0.0)
+      {
+        RequireCount(perimeter / size,
+          "A mesh with edges of length " + Rounded(size) + " at side '" + name + "'",
+          "use a larger size");
+      }
+    }
     RequireCount(one.count,
       "A mesh with " + Rounded(one.count) + " edges along side '" + name + "'",
       "give the side fewer edges");
+  }
+  if (request.quadCount < 0)
+  {
+    throw Error("The requested number of quads is negative; give a positive one, or a size.");
   }
   if (request.quadSize == 0.0)
   {

@@ -12,6 +12,7 @@
 #include "QuadMesher.h"
 #include "SeamlessMapSolve.h"
 #include "SideRequest.h"
+#include "SizeReport.h"
 
 #include <optional>
 #include <string>
@@ -25,6 +26,17 @@ enum class BlockMerge
   None,  ///< Each one bounds blocks of its own.
   Clean, ///< Singularities are moved so that they meet, where this costs no quality.
   Coarse ///< They are merged without moving singularities (QuadOptions::coarse).
+};
+
+/// Number of quads where neither a size nor a number is requested.
+constexpr int DefaultQuads = 1000;
+
+/// Target size of quads near a position.
+struct SizeNear
+{
+  Point place = Point::Zero();
+  double size = 0.0;
+  double radius = 0.0; ///< Up to this distance; farther away sizes grow.
 };
 
 /// Input of MakeQuadMesh besides the domain.
@@ -44,9 +56,12 @@ struct QuadRequest
   /// Side length of quads; with Sizing::Field, a factor of the prescribed sizes. 0: derived from
   /// quadCount.
   double quadSize = 0.0;
-  int quadCount = 1000;     ///< Target number of quads if quadSize is 0.
+  /// Target number of quads if quadSize is 0; 0: as many as prescribed sizes need (SizeTargets.h).
+  int quadCount = DefaultQuads;
+  std::vector<SizeNear> sizesNear;
   double minimumSize = 0.0; ///< Lower bound of the target size; 0: none.
   double maximumSize = 0.0; ///< Upper bound of the target size; 0: none.
+  double growth = 1.25;     ///< Maximum ratio of target sizes of neighbours, above 1.
 
   double meshSize = 0.0; ///< Edge length of triangles, as in DrillOptions.
   /// Minimum distance of chosen singularities from the boundary and from each other; 0: derived
@@ -134,6 +149,7 @@ struct QuadWorkflowResult
   /// valence 2, stretched, inverted or nearly degenerate quads. One sentence each.
   std::vector<std::string> warnings;
   QuadResult quads;
+  std::optional<SizeReport> sizes; ///< Absent if no sizes are requested but one for all quads.
   std::vector<int> part;           ///< Part of the domain of each quad, from 0 (MakeQuadsOfParts).
   std::vector<LayerReport> layers; ///< One for each layer of the request.
   CurvedBoundary boundary;         ///< The curves that boundary nodes are on.

@@ -91,6 +91,11 @@ QuadSteps::QuadSteps(const PlanarDomain& domain, ResolvedRequest request, QuadSe
   if (!this->Request.layers.empty() && this->Request.quadSize == 0.0)
   {
     this->Request.quadCount = CountBeforeLayers(domain, this->Request);
+    if (this->Request.targets)
+    {
+      this->Request.targets->Multiply(
+        std::sqrt(static_cast<double>(this->Total) / this->Request.quadCount));
+    }
   }
   this->MapOptions.corners = CompleteCorners(domain, this->Request);
   this->MapOptions.capCorners = this->Request.capCorners;
@@ -108,12 +113,34 @@ void QuadSteps::Choose(const Progress& progress)
   if (this->Request.singularities)
   {
     this->Result.singularities = *this->Request.singularities;
+    if (this->Request.targets && this->Request.pairs > 0)
+    {
+      this->AddPairs(progress);
+    }
     return;
   }
   const ScopedSeconds timed(this->Seconds.choose);
   AutomaticConfiguration choice = ChooseSingularities(this->Domain, this->Request, progress);
   this->Others = std::move(choice.others);
   this->Use(std::move(choice));
+}
+
+/// Adds pairs to given singularities for target sizes.
+void QuadSteps::AddPairs(const Progress& progress)
+{
+  const ScopedSeconds timed(this->Seconds.choose);
+  const std::optional<SizedConfiguration> added = WithPairs(this->Domain, this->Request, progress);
+  if (!added || added->singularities.size() == this->Result.singularities.size())
+  {
+    this->AddEvent("No pair of singularities brings sizes closer to the target sizes.");
+    return;
+  }
+  const std::size_t pairs = (added->singularities.size() - this->Result.singularities.size()) / 2;
+  this->Result.singularities = added->singularities;
+  this->AddEvent(std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") +
+    " of singularities were added for the target sizes; the standard deviation of the logarithm of size "
+    "over target size is " +
+    FormatShort(added->spread) + ".");
 }
 
 void QuadSteps::Use(AutomaticConfiguration choice)
@@ -272,6 +299,11 @@ void QuadSteps::MakeQuadsOf(Layout layout, const Progress& progress)
     this->Result.layers = AddLayersForCount(
       this->Domain, this->Request, this->Total, merged.mesh.layouts, merged.options, quads);
   }
+  if (this->Request.targets)
+  {
+    this->Result.sizes = MeasureSizes(quads, *this->Request.targets);
+    this->Result.sizes->nodesAdded = this->CountAddedNodes();
+  }
   NodePositions nodes =
     FindNodePositions(used.map, quads.mesh, this->Result.singularities, this->BeforeRepair);
   this->Result.singularities = std::move(nodes.singularities);
@@ -289,6 +321,24 @@ void QuadSteps::MakeQuadsOf(Layout layout, const Progress& progress)
   }
   this->Result.quads = std::move(quads);
   this->AddWarnings();
+}
+
+/// Returns the number of singularities beyond those that are given, or that the boundary requires.
+int QuadSteps::CountAddedNodes() const
+{
+  const Configuration& used = this->Result.singularities;
+  if (this->Request.singularities)
+  {
+    return static_cast<int>(used.size()) - static_cast<int>(this->Request.singularities->size());
+  }
+  int sum = 0;
+  int count = 0;
+  for (const Singularity& singularity : used)
+  {
+    sum += singularity.quarterIndex;
+    count += std::abs(singularity.quarterIndex);
+  }
+  return count - std::abs(sum);
 }
 
 /// Returns the corners of a mesh with their quarter indices.
@@ -347,6 +397,21 @@ void QuadSteps::AddWarnings()
 {
   QuadWorkflowResult& result = this->Result;
   result.warnings = DescribeFlatNodes(this->Domain, result.singularities);
+  if (result.sizes)
+  {
+    const std::string missed = DescribeMissedSizes(*result.sizes);
+    const std::string others = missed.empty() || !this->Request.singularities
+      ? std::string()
+      : DescribeOthersForSizes(this->Domain, this->Request);
+    for (const std::string& warning :
+      { this->Request.targets->warning, others.empty() ? missed : missed + " " + others })
+    {
+      if (!warning.empty())
+      {
+        result.warnings.push_back(warning);
+      }
+    }
+  }
   if (!this->Motion.empty())
   {
     const std::string sentence = "The singularities were moved " + this->Motion + ", by up to " +

@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// The steps from a request of WithSideSizes to its quads, without trying remedies: singularities,
+/// The steps from a request of WithSizeTargets to its quads, without trying remedies: singularities,
 /// their layout, quads. A copy that is made after Place continues from there.
 class QuadSteps
 {
@@ -40,12 +40,14 @@ public:
 
 private:
   void Choose(const Progress& progress);
+  void AddPairs(const Progress& progress);
   void Use(AutomaticConfiguration choice);
   void Split();
   void RepairOnRequest(const Progress& progress);
   SharedPlanarTopology MakeMesh(double refinement, const Progress& progress);
   Layout MakeLayout(double refinement, const Progress& progress);
   void MakeQuadsOf(Layout layout, const Progress& progress);
+  int CountAddedNodes() const;
   std::vector<CountedCorner> CornersOn(const PlanarTopology& topology) const;
   void Describe(const Layout& layout);
   void AddEvent(const std::string& event) { this->Result.events.push_back(event); }

@@ -10,7 +10,7 @@
 #include "QuadAttempts.h"
 #include "QuadBudget.h"
 #include "SharpTips.h"
-#include "SideSizes.h"
+#include "SizeTargets.h"
 
 #include <optional>
 #include <string>
@@ -67,7 +67,7 @@ struct PreparedRequest
   PlanarDomain polygons;
   PlanarDomain domain;     ///< With curves sampled.
   ResolvedRequest given;   ///< With periodic sides.
-  ResolvedRequest request; ///< With sizes of sides as well.
+  ResolvedRequest request; ///< With target sizes as well.
 };
 
 PreparedRequest Prepare(const PlanarDomain& polygons, const QuadRequest& requested)
@@ -79,7 +79,7 @@ PreparedRequest Prepare(const PlanarDomain& polygons, const QuadRequest& request
   result.polygons = polygons;
   result.domain = std::move(curved.domain);
   result.given = WithPeriodicSides(result.domain, curved.request);
-  result.request = WithSideSizes(result.domain, result.given);
+  result.request = WithSizeTargets(result.domain, result.given);
   return result;
 }
 
@@ -158,7 +158,7 @@ QuadWorkflowResult MakeQuadMesh(
       ? 0.0
       : FindSmoothing(domain, kept,
           [&](const PlanarDomain& smooth)
-          { MakeAttempts(smooth, WithSideSizes(smooth, given), trial); });
+          { MakeAttempts(smooth, WithSizeTargets(smooth, given), trial); });
     throw WithSmoothing(*outcome.error, length, request.singularities.has_value());
   }
   QuadWorkflowResult result = std::move(*outcome.value);

@@ -2,8 +2,10 @@
 
 #include "LayerSteps.h"
 #include "MeshGrade.h"
+#include "OptimizerReport.h"
 #include "PoincareHopf.h"
 #include "QuadClearance.h"
+#include "SizedChoice.h"
 
 #include <cmath>
 #include <utility>
@@ -33,10 +35,11 @@ AutomaticOptions OptionsFor(const PlanarDomain& domain, const ResolvedRequest& r
   }
   options.quadSize = request.quadSize;
   options.quadCount = request.quadCount;
-  // Rows of layers and prescribed sizes of sides are made for the first one only.
+  // Rows of layers and prescribed counts of sides are made for the first one only.
   constexpr std::size_t Configurations = 5;
-  options.configurations =
-    request.layers.empty() && request.prescribed.empty() ? Configurations : 1;
+  const bool isFirstOnly =
+    !request.layers.empty() || (!request.targets && !request.prescribed.empty());
+  options.configurations = isFirstOnly ? 1 : Configurations;
   if (request.sizing == Sizing::Field)
   {
     RelativeSizes sizes = ComputeRelativeSizes(request.prescribedSizes, domain, request.meshSize);
@@ -57,6 +60,49 @@ AutomaticConfiguration ChooseSingularities(
   const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress)
 {
   return ChooseConfiguration(domain, OptionsFor(domain, request), progress);
+}
+
+std::optional<SizedConfiguration> WithPairs(
+  const PlanarDomain& domain, const ResolvedRequest& request, const Progress& progress)
+{
+  AutomaticOptions options = OptionsFor(domain, request);
+  options.proposal.given = *request.singularities;
+  return AddPairsForSizes(domain, options, progress);
+}
+
+std::string DescribeOthersForSizes(const PlanarDomain& domain, const ResolvedRequest& request)
+{
+  // Less is no visible change of sizes.
+  constexpr double Better = 0.8;
+  constexpr int MostPairs = 100; // those that --pairs permits
+  AutomaticOptions options = OptionsFor(domain, request);
+  options.proposal.given = *request.singularities;
+  options.optimizer.pairs = MostPairs;
+  const double present = SpreadOfGiven(domain, options);
+  const std::optional<SizedConfiguration> paired = AddPairsForSizes(domain, options);
+  const AutomaticConfiguration chosen = ChooseSingularities(domain, request);
+  const std::string spread = "the standard deviation of the logarithm of size over target size";
+  std::string text;
+  if (request.pairs == 0 && paired && paired->spread < Better * present)
+  {
+    const std::size_t pairs = (paired->singularities.size() - request.singularities->size()) / 2;
+    text = std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") +
+      " of singularities (Pairs, --pairs " + std::to_string(pairs) + ") would bring " + spread +
+      " from " + FormatShort(present) + " to " + FormatShort(paired->spread);
+  }
+  const AutomaticConfiguration* best = &chosen;
+  for (const AutomaticConfiguration& other : chosen.others)
+  {
+    best = other.optimum.sizeSpread < best->optimum.sizeSpread ? &other : best;
+  }
+  if (best->optimum.sizeSpread < Better * present)
+  {
+    text += (text.empty() ? "With " : "; with ") + std::to_string(best->singularities.size()) +
+      " singularities that are chosen without any given, " +
+      (text.empty() ? spread + " would be " : "it would be ") +
+      FormatShort(best->optimum.sizeSpread);
+  }
+  return text.empty() ? text : text + ".";
 }
 
 OptimizerResult MinimiseEnergy(const PlanarDomain& domain, const ResolvedRequest& request,

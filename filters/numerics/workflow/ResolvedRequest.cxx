@@ -33,8 +33,10 @@ void Add(const SideRequest& request, int side, SidePrescriptions& all)
   RequireOnce(found->count != 0, request.count != 0, "number of edges", request.side);
   RequireOnce(found->isGraded, request.progression.has_value(), "progression", request.side);
   RequireOnce(found->size != 0.0, request.size != 0.0, "size", request.side);
+  RequireOnce(found->inside != 0.0, request.inside != 0.0, "size inside", request.side);
   found->count = request.count != 0 ? request.count : found->count;
   found->size = request.size != 0.0 ? request.size : found->size;
+  found->inside = request.inside != 0.0 ? request.inside : found->inside;
   if (request.progression)
   {
     found->isGraded = true;
@@ -45,7 +47,7 @@ void Add(const SideRequest& request, int side, SidePrescriptions& all)
 
 ResolvedRequest Resolve(const PlanarDomain& domain, const QuadRequest& request)
 {
-  ResolvedRequest resolved{ request, {}, {}, {}, {}, {}, {} };
+  ResolvedRequest resolved{ request, {}, {}, {}, {}, {}, {}, false, {} };
   if (resolved.sides.names.empty())
   {
     resolved.sides = NameSides(domain);
@@ -53,7 +55,7 @@ ResolvedRequest Resolve(const PlanarDomain& domain, const QuadRequest& request)
   resolved.curveRequest.findsArcs = request.findsArcs;
   for (const SideRequest& one : request.sideRequests)
   {
-    if (one.count != 0 || one.progression || one.size != 0.0)
+    if (one.count != 0 || one.progression || one.size != 0.0 || one.inside != 0.0)
     {
       RequireSide(resolved.sides.names, one.side);
       Add(one, resolved.sides.Find(one.side), resolved.prescribed);

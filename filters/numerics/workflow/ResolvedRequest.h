@@ -16,9 +16,10 @@ struct ResolvedRequest : QuadRequest
   std::vector<LayerPrescription> layers; ///< Boundary layers of sides.
   CurveRequest curveRequest; ///< Curves declared for sides, and whether arcs are recognised.
   std::vector<std::array<std::string, 2>> partners; ///< Sides whose nodes match.
-  std::vector<PairedSides> periodic; ///< The same with their motions (WithPeriodicSides).
-  CurvedBoundary curves;             ///< Curves of the boundary (WithCurves).
-  bool takesFewRows = false;         ///< As in AddLayers; set for the last attempt.
+  std::vector<PairedSides> periodic;  ///< The same with their motions (WithPeriodicSides).
+  CurvedBoundary curves;              ///< Curves of the boundary (WithCurves).
+  bool takesFewRows = false;          ///< As in AddLayers; set for the last attempt.
+  std::optional<SizeTargets> targets; ///< Absent without prescribed sizes (WithSizeTargets).
 };
 
 /// Returns a request with the names of its sides, those of NameSides if it has none. Throws Error

@@ -16,7 +16,8 @@ struct SideRequest
   std::string side;
   int count = 0; ///< Number of edges; 0: not prescribed.
   std::optional<Progression> progression;
-  double size = 0.0; ///< Length of the edges; 0: not prescribed.
+  double size = 0.0;   ///< Length of the edges; 0: not prescribed.
+  double inside = 0.0; ///< Target size of quads in what the side encloses; 0: not prescribed.
   std::optional<CurveDeclaration::Kind> curve;
   std::optional<LayerPrescription> layer; ///< Its name is that of the side.
   std::string partner;                    ///< Side whose nodes are images of those of this one.

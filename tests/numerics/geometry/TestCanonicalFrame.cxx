@@ -31,7 +31,7 @@ void ExpectSameInFrames(const std::vector<Loop>& one, const std::vector<Loop>& o
   }
 }
 
-const std::vector<Loop> Box = { { { 0.0, 0.0 }, { 5.0, 0.0 }, { 5.0, 3.0 }, { 0.0, 3.0 } } };
+const std::vector<Loop> LongBox = { { { 0.0, 0.0 }, { 5.0, 0.0 }, { 5.0, 3.0 }, { 0.0, 3.0 } } };
 const std::vector<Loop> LShape = { { { 0.0, 0.0 }, { 4.0, 0.0 }, { 4.0, 1.0 }, { 1.0, 1.0 },
   { 1.0, 2.0 }, { 0.0, 2.0 } } };
 
@@ -70,7 +70,7 @@ TEST(CanonicalFrame, DoesNotDependOnTheFirstVertex)
 
 TEST(CanonicalFrame, HasTheAxesOfDomainsWithAxisParallelSides)
 {
-  for (const std::vector<Loop>& loops : { Box, LShape })
+  for (const std::vector<Loop>& loops : { LongBox, LShape })
   {
     // Coordinates of quarter turns are exact.
     for (const Loop& loop : InFrame(loops))
@@ -87,7 +87,7 @@ TEST(CanonicalFrame, HasTheAxesOfDomainsWithAxisParallelSides)
 
 TEST(CanonicalFrame, InvertsItsCoordinates)
 {
-  const CanonicalFrame frame(Similarity{ 0.7, 3.0, Point(5.0, -2.0) }(Box));
+  const CanonicalFrame frame(Similarity{ 0.7, 3.0, Point(5.0, -2.0) }(LongBox));
   const Point point(1.25, 0.5);
   EXPECT_LT((frame.FromFrame(frame.ToFrame(point)) - point).norm(), 1e-12);
   EXPECT_FALSE(frame.IsIdentity());

@@ -32,6 +32,20 @@ TEST(Alternatives, PreferencesOrderThem)
   EXPECT_EQ(OrderAlternatives(all, MeshPreference::Uniform), (Order{ 3, 0, 1, 2 }));
 }
 
+TEST(Alternatives, MetTargetSizesComeBeforeFewNodes)
+{
+  std::vector<Alternative> all = { Make(0, 4, 9, 0.85, 0.7), Make(1, 8, 70, 0.84, 0.9),
+    Make(2, 8, 40, 0.83, 0.8), Make(3, 10, 30, 0.86, 0.8), Make(4, 6, 20, 0.7, 0.8) };
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    all[i].met = i == 0 ? 0.7 : 1.0;
+  }
+  // Sizes that vary are what is asked for; the shape of the last one is too poor.
+  EXPECT_EQ(OrderAlternatives(all, {}), (Order{ 2, 1, 3, 4, 0 }));
+  all[3].met = 0.95;
+  EXPECT_EQ(OrderAlternatives(all, {}), (Order{ 2, 1, 4, 3, 0 }));
+}
+
 TEST(Alternatives, PoorOnesAreLast)
 {
   std::vector<Alternative> all = { Make(0, 4, 9, 0.90, 0.10), Make(1, 8, 30, 0.94, 0.10),

@@ -87,20 +87,17 @@ TEST(QuadWorkflow, MakesTheMeshOfItsSteps)
 TEST(QuadWorkflow, ChoosesAsChooseConfigurationDoes)
 {
   const PlanarDomain domain = Ellipse();
-  for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform, Sizing::Field })
+  for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform })
   {
     QuadRequest request;
     request.sizing = sizing;
-    request.prescribedSizes.length = [](const Point& place) { return 0.1 + 0.04 * place.x(); };
-    request.quadSize = sizing == Sizing::Field ? 1.0 : 0.1;
+    request.quadSize = 0.1;
     request.meshSize = 0.15;
     const QuadWorkflowResult result = MakeQuadMesh(domain, request);
     AutomaticOptions options;
     options.optimizer.meshSize = 0.15;
     options.optimizer.sizes.sizing = sizing;
-    const RelativeSizes relative = ComputeRelativeSizes(request.prescribedSizes, domain, 0.15);
-    options.optimizer.sizes.field = relative.field;
-    options.quadSize = sizing == Sizing::Field ? relative.mean : 0.1;
+    options.quadSize = 0.1;
     const AutomaticConfiguration choice = ChooseConfiguration(domain, options);
     ASSERT_EQ(result.singularities.size(), choice.singularities.size());
     double moved = 0.0;
@@ -254,7 +251,7 @@ TEST(PrescribedSizes, AreRelativeToTheirMeanAndContinuedFromTheBoundary)
   const auto size = [](const Point& place) { return 0.2 * std::exp(0.4 * place.x()); };
   for (const bool isOnBoundaryOnly : { false, true })
   {
-    const RelativeSizes sizes = ComputeRelativeSizes({ size, isOnBoundaryOnly }, *topology);
+    const RelativeSizes sizes = ComputeRelativeSizes({ size, isOnBoundaryOnly, {} }, *topology);
     // The number of quads is ∫ dA / h² = 25 (1 − e^{−2.4}) / 0.8.
     EXPECT_NEAR(sizes.mean, std::sqrt(3.0 * 0.8 / (25.0 * (1.0 - std::exp(-2.4)))), 1e-3);
     for (const Point& place : { Point(0.1, 0.1), Point(1.52, 0.48), Point(3.0, 1.0) })
