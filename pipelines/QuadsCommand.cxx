@@ -159,7 +159,8 @@ int Mesh(const QuadsOptions& options)
   vtkNew<vtkQuadMesher> mesher;
   mesher->SetInputConnection(domain->GetOutputPort());
   mesher->SetQuadSize(options.size);
-  mesher->SetQuadCount(options.quads);
+  // Without a number, prescribed sizes decide it.
+  mesher->SetQuadCount(options.countIsGiven || !options.sides.HasSizes() ? options.quads : 0);
   SetSizing(options, mesher);
   mesher->SetSideNameArray(options.boundary.names);
   options.sides.SetOn(mesher);

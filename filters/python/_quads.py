@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -185,6 +185,14 @@ def _progression_text(side: str, progression: Progression) -> str:
                            for value in values[1 if both else 0:])
 
 
+def _add_size_near(mesher: vtkQuadMesher, row: Sequence[float]) -> None:
+    values = [number(value, "argument sizes_near", "rows (x, y, size) or (x, y, size, radius)") for value in row]
+    if len(values) not in (3, 4) or not values[2] > 0 or not values[-1] >= 0:
+        raise Error("The size near a position %s is no row (x, y, size) or (x, y, size, radius) with a positive size."
+                    % (tuple(row),))
+    mesher.AddSizeNear(values[0], values[1], 0.0, values[2], values[3] if len(values) == 4 else 0.0)
+
+
 def _points_of_block(grid: Any) -> np.ndarray:
     size = [0, 0, 0]
     grid.GetDimensions(size)
@@ -237,8 +245,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
-          sizes: Optional[Mapping[str, float]] = None, min_size: Optional[float] = None,
-          max_size: Optional[float] = None, layers: Optional[Layers] = None, curves: Optional[Curves] = None,
+          sizes: Optional[Mapping[str, float]] = None, sizes_inside: Optional[Mapping[str, float]] = None,
+          sizes_near: Optional[Sequence[Sequence[float]]] = None, min_size: Optional[float] = None,
+          max_size: Optional[float] = None, growth: Optional[float] = None, layers: Optional[Layers] = None, curves: Optional[Curves] = None,
           periodic: Optional[Periodic] = None, order: int = 1) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
@@ -249,7 +258,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    the corner, or "leave" it along a grid line; keys are positions, names of sides for all of
                    their corners, or ranges of angles in degrees as "200-300"
     size           mean side length of quads
-    count          target number of quads, instead of a size; default: 1000
+    count          target number of quads, instead of a size; default: as many as prescribed sizes need, 1000
+                   without any
     mesh_size      edge length of the triangles on which the map is solved; default: 1/40 of the diagonal
     cap_corners    gives sharp corners of quarter index 2, which have no angle in a seamless map, index 1
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
@@ -282,8 +292,12 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     progressions   last edge over the first by the name of a side, with the domain on the left; or the lengths
                    (first, last); or ("both", ratio), ("both", first, middle) towards both ends
     sizes          length of edges by the name of a side, met within 20 %, from which sizes grow
+    sizes_inside   target size of the quads in what a side encloses, a closed curve, by its name
+    sizes_near     target sizes near positions, as rows (x, y, size) or (x, y, size, radius): up to the radius from the
+                   position, from where sizes grow; report["size_target"] says how closely sizes are met
     min_size, max_size
                    bounds of target sizes
+    growth         largest ratio of target sizes of neighbours, where sizes grow; default: 1.25
     layers         boundary layers, as {"wall": (1e-4, 1.2)}: for each named side the height of the first row,
                    normal to the wall, and optionally the maximum growth from row to row (default: 1.2) and the
                    number of rows, or as the text "wall:1e-4,1.2;hole:1e-3"; report["layers"] has the measures, and
@@ -336,6 +350,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetQuadSize(checked(size))
     if count is not None:
         mesher.SetQuadCount(count)
+    elif sizes or sizes_inside or sizes_near or min_size is not None or max_size is not None:
+        mesher.SetQuadCount(0)  # as many as the sizes need
     mesher.SetMeshSize(checked(mesh_size))
     mesher.SetCapCorners(cap_corners)
     mesher.SetSizing(_SIZINGS[sizing])
@@ -349,6 +365,12 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.AddSide(side, "", _progression_text(side, progression), "")
     for side, length in dictionary(sizes or {}, "argument sizes", "{'wall': 0.1}").items():
         mesher.AddSide(side, "", "", "%.17g" % number(length, "size of '%s'" % side, "a length"))
+    for side, length in dictionary(sizes_inside or {}, "argument sizes_inside", "{'outer': 0.1}").items():
+        mesher.AddSizeInside(side, "%.17g" % number(length, "size inside '%s'" % side, "a length"))
+    for row in sizes_near or ():
+        _add_size_near(mesher, row)
+    if growth is not None:
+        mesher.SetGrowth(growth)
     mesher.SetMinimumSize(checked(min_size))
     mesher.SetMaximumSize(checked(max_size))
     mesher.SetMerge(_MERGES[merge])

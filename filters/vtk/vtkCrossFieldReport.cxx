@@ -263,6 +263,16 @@ public:
     this->AddColumns("alternatives", "Alternative",
       { names::AlternativeNodes, names::AlternativeBlocks, names::AlternativeScaledJacobian,
         names::AlternativeSizeVariation });
+    this->Add(
+      { names::SizeTargetAreaShare, names::SizeTargetQuadShare, names::SizeTargetFineMedian,
+        names::SizeTargetLargestJump, names::SizeTargetNodesAdded, names::SizeTargetFactor },
+      "size_target", "SizeTarget");
+    const Json sized =
+      this->Columns("SizeTargetSide", { names::SizeTargetSideName, names::SizeTargetSideMedian });
+    if (!sized.is_null())
+    {
+      this->Values["size_target"]["sides"] = sized;
+    }
     this->AddColumns("sides", "Side",
       { { "name", names::SideNames }, names::SideEdges, { "length", names::SideLengths } });
     this->AddColumns("layers", "Layer",

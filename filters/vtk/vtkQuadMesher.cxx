@@ -138,6 +138,12 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.quadCount = this->QuadCount;
   request.minimumSize = this->MinimumSize;
   request.maximumSize = this->MaximumSize;
+  request.growth = this->Growth;
+  for (const auto& [x, y, z, size, radius] : this->SizesNear)
+  {
+    request.sizesNear.push_back(
+      { plane.RequireInPlane({ x, y, z }, "The position of a size"), size, radius });
+  }
   request.meshSize = this->MeshSize;
   request.clearance = this->Clearance;
   request.pairs = this->Pairs;
@@ -172,6 +178,12 @@ void vtkQuadMesher::PrescribeSides(
     rows.back().count = texts[1];
     rows.back().progression = texts[2];
     rows.back().size = texts[3];
+  }
+  for (const std::array<std::string, 2>& texts : this->SizesInside)
+  {
+    rows.emplace_back();
+    rows.back().side = texts[0];
+    rows.back().sizeInside = texts[1];
   }
   for (const std::vector<SideText::Row>& more : { SideText::ReadLayers(this->Layers),
          SideText::ReadPartners(this->Periodic), SideText::ReadCornerRows(this->CornerRows) })
@@ -248,6 +260,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   EnergyConversion::WriteWarnings(result.warnings, summary);
   QuadReport::WriteAttempts(result.attempts, report);
   QuadReport::WriteAlternatives(result.alternatives, report);
+  QuadReport::WriteSizes(result.sizes, report);
   ViewText::Write(vtkCrossFieldArrayNames::Summary,
     ViewText::WrapLines(QuadReport::Summary(result)),
     result.quads.quality.inverted > 0 || !result.warnings.empty(), summary);
@@ -294,6 +307,49 @@ void vtkQuadMesher::ClearSides()
 }
 
 //------------------------------------------------------------------------------
+void vtkQuadMesher::AddSizeInside(const std::string& name, const std::string& size)
+{
+  this->SizesInside.push_back({ name, size });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::AddSizeInside(const char* name, const char* size)
+{
+  if (name != nullptr && *name != '\0')
+  {
+    this->AddSizeInside(std::string(name), std::string(size ? size : ""));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::ClearSizesInside()
+{
+  if (!this->SizesInside.empty())
+  {
+    this->SizesInside.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::AddSizeNear(double x, double y, double z, double size, double radius)
+{
+  this->SizesNear.push_back({ x, y, z, size, radius });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::ClearSizesNear()
+{
+  if (!this->SizesNear.empty())
+  {
+    this->SizesNear.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -303,6 +359,9 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
   os << indent << "Sides: " << this->Sides.size() << "\n";
+  os << indent << "SizesInside: " << this->SizesInside.size() << "\n";
+  os << indent << "SizesNear: " << this->SizesNear.size() << "\n";
+  os << indent << "Growth: " << this->Growth << "\n";
   os << indent << "MinimumSize: " << this->MinimumSize << "\n";
   os << indent << "MaximumSize: " << this->MaximumSize << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";

@@ -16,7 +16,7 @@
  * to suit the requested quads. A connected data set without points means no singularities.
  *
  * Port 3, optional, what is prescribed for sides (vtkTable), one row for each: `Side`, the name (see
- * SideNameArray), and any of the columns `Count`, `Progression` and `Size` (see AddSide), `Curve` (circle,
+ * SideNameArray), and any of the columns `Count`, `Progression`, `Size` and `SizeInside` (see AddSide), `Curve` (circle,
  * ellipse, spline or line; see Curves), `LayerFirst`, `LayerGrowth` and `LayerRows` (see Layers), `Partner`, the
  * side whose nodes match (see Periodic), and `CornerRows` (end, turn or leave; see CornerRows). Columns are
  * strings or numbers; empty strings, 0 and NaN prescribe nothing. The table adds to the properties; what
@@ -87,6 +87,12 @@
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
  * `Warnings` (one sentence each), `Attempts` (2 texts each: what was tried, and its outcome),
+ * with sizes besides one for all quads `SizeTargetAreaShare` and `SizeTargetQuadShare` (parts of the area and of
+ * the quads outside of layers whose size is within 25 % of the target), `SizeTargetFineMedian` (median of size over
+ * target size in the tenth of the quads with the smallest targets), `SizeTargetLargestJump` (largest ratio of the sizes of
+ * neighbours), `SizeTargetNodesAdded` (singularities beyond those given or required), `SizeTargetFactor` (by which
+ * requested sizes were multiplied), `SizeTargetSideName` and `SizeTargetSideMedian` (where sizes are requested, and the
+ * median of size over target size there),
  * `AlternativeNodes`, `AlternativeBlocks`, `AlternativeScaledJacobian` and
  * `AlternativeSizeVariation` (one tuple for each of several configurations that were chosen, the preferred one
  * first), and `AmbiguousCorners` (number of corners within 1° of a tie between two quarter
@@ -152,9 +158,11 @@ public:
   ///@{
   /**
    * Sets the target number of quads if QuadSize is 0. If the separatrices allow no number within 5
-   * % of it, the nearest one found is used, with a warning. Default: 1000. Range: 1 or more.
+   * % of it, the nearest one found is used, with a warning. Sizes of sides, positions and insides of
+   * sides hold if the number permits that, and are multiplied by a common factor otherwise, which the
+   * report has. 0: as many quads as these sizes need, or 1000 without any. Default: 1000. Range: 0 or more.
    */
-  vtkSetClampMacro(QuadCount, int, 1, VTK_INT_MAX);
+  vtkSetClampMacro(QuadCount, int, 0, VTK_INT_MAX);
   vtkGetMacro(QuadCount, int);
   ///@}
 
@@ -224,8 +232,7 @@ public:
    *   same towards both ends, with the middle edge over the first; or FIRST,LAST, the lengths of
    *   these edges, which prescribe their number as well. The lengths continue in the strips of quads
    *   that start at the side.
-   * - `size`: the length of all edges of the side, met within 20 %; sizes next to it grow by a
-   *   quarter of the distance, and are continued inside.
+   * - `size`: the length of all edges of the side, met within 20 %, from which sizes grow by Growth.
    * Numbers of edges that contradict each other are an error.
    */
   void AddSide(const std::string& name, const std::string& count, const std::string& progression,
@@ -235,6 +242,36 @@ public:
   ///@}
   /** Prescribes something for a side; overload for ParaView. */
   void AddSide(const char* name, const char* count, const char* progression, const char* size);
+
+  ///@{
+  /**
+   * Prescribes the target size of quads in what the side of a name encloses, and at its edges; the
+   * side is a closed curve. Overload for ParaView, and removal.
+   */
+  void AddSizeInside(const std::string& name, const std::string& size);
+  void AddSizeInside(const char* name, const char* size);
+  void ClearSizesInside();
+  ///@}
+
+  ///@{
+  /**
+   * Requests a target size of quads up to a distance `radius` from a position, which may be 0; farther
+   * away sizes grow by Growth. The position is in the domain, or not farther from it than the radius.
+   */
+  void AddSizeNear(double x, double y, double z, double size, double radius);
+  /** Removes all sizes near positions. */
+  void ClearSizesNear();
+  ///@}
+
+  ///@{
+  /**
+   * Sets the maximum ratio of the target sizes of neighbouring quads: away from where a size is
+   * requested, or along the lengths of SizeArray, target sizes grow by at most ln(Growth) times the
+   * distance inside the domain. Default: 1.25. Range: above 1.
+   */
+  vtkSetMacro(Growth, double);
+  vtkGetMacro(Growth, double);
+  ///@}
 
   ///@{
   /**
@@ -477,6 +514,9 @@ private:
   std::string SizeArray;
   std::string SideNameArray;
   std::vector<std::array<std::string, 4>> Sides;
+  std::vector<std::array<std::string, 2>> SizesInside;
+  std::vector<std::array<double, 5>> SizesNear; ///< Position, size and radius.
+  double Growth = 1.25;
   double MinimumSize = 0.0;
   double MaximumSize = 0.0;
   int Pairs = 0;

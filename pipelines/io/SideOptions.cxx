@@ -25,6 +25,42 @@ std::pair<std::string, std::string> Divide(const std::string& option, const std:
   }
   return { text.substr(0, colon), text.substr(colon + 1) };
 }
+
+/** Returns the numbers of a text between commas; nothing if there is anything else. */
+std::vector<double> ReadNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  char comma = ',';
+  double number = 0.0;
+  while (comma == ',' && stream >> number)
+  {
+    numbers.push_back(number);
+    comma = '\0';
+    stream >> comma;
+  }
+  return stream.eof() && comma == '\0' ? numbers : std::vector<double>();
+}
+
+/** Adds the size of an entry of --size-near. */
+void AddSizeNear(const std::string& text, vtkQuadMesher* mesher)
+{
+  const std::size_t colon = text.find(':');
+  std::vector<double> place = ReadNumbers(text.substr(0, colon));
+  std::vector<double> size =
+    ReadNumbers(colon == std::string::npos ? std::string() : text.substr(colon + 1));
+  const bool isRead =
+    (place.size() == 2 || place.size() == 3) && (size.size() == 1 || size.size() == 2);
+  place.resize(3, 0.0);
+  size.resize(2, 0.0);
+  if (!isRead || !(size[0] > 0.0) || !(size[1] >= 0.0))
+  {
+    throw PipelineRun::Error("--size-near: '" + text +
+      "' is no position with a positive size; give X,Y:H or X,Y:H,RADIUS.");
+  }
+  mesher->AddSizeNear(place[0], place[1], place[2], size[0], size[1]);
+}
 }
 
 void SideOptions::AddTo(CLI::App& command)
@@ -39,6 +75,14 @@ void SideOptions::AddTo(CLI::App& command)
     "NAME:[both:]RATIO");
   add("--size-at", this->sizes,
     "length of the edges of a side, met within 20 %, from which sizes grow; repeatable", "NAME:H");
+  add("--size-near", this->sizesNear,
+    "target size of quads near a position, up to RADIUS from it, from where sizes grow; repeatable",
+    "X,Y[,Z]:H[,RADIUS]");
+  add("--size-in", this->sizesInside,
+    "target size of quads in what a side encloses, which is a closed curve, and at its edges; repeatable",
+    "NAME:H");
+  command.add_option("--growth", this->growth,
+    "largest ratio of target sizes of neighbours, above 1, where sizes grow; default: 1.25");
   add("--periodic", this->periodic,
     "sides that are images of each other under a translation or rotation, such as those of a rotor's "
     "sector: they get equal numbers of edges and nodes that match; repeatable",
@@ -59,20 +103,29 @@ void SideOptions::AddTo(CLI::App& command)
     ->check(NumberCheck::Positive());
 }
 
+bool SideOptions::HasSizes() const
+{
+  return !this->sizes.empty() || !this->sizesNear.empty() || !this->sizesInside.empty() ||
+    this->minimumSize > 0.0 || this->maximumSize > 0.0;
+}
+
 std::vector<std::pair<std::string, double>> SideOptions::ReadSizes() const
 {
   std::vector<std::pair<std::string, double>> read;
-  for (const std::string& text : this->sizes)
+  const auto add = [&read](const char* option, const std::vector<std::string>& texts)
   {
-    const auto [name, value] = Divide("--size-at", text);
-    std::istringstream stream(value);
-    stream.imbue(std::locale::classic());
-    double size = 0.0;
-    if (stream >> size && size > 0.0)
+    for (const std::string& text : texts)
     {
-      read.emplace_back(name, size);
+      const auto [name, value] = Divide(option, text);
+      const std::vector<double> size = ReadNumbers(value);
+      if (size.size() == 1 && size[0] > 0.0)
+      {
+        read.emplace_back(name, size[0]);
+      }
     }
-  }
+  };
+  add("--size-at", this->sizes);
+  add("--size-in", this->sizesInside);
   return read;
 }
 
@@ -114,6 +167,19 @@ void SideOptions::SetOn(vtkQuadMesher* mesher) const
   {
     const auto [name, value] = Divide("--size-at", text);
     mesher->AddSide(name, "", "", value);
+  }
+  for (const std::string& text : this->sizesInside)
+  {
+    const auto [name, value] = Divide("--size-in", text);
+    mesher->AddSizeInside(name, value);
+  }
+  for (const std::string& text : this->sizesNear)
+  {
+    AddSizeNear(text, mesher);
+  }
+  if (this->growth != 0.0)
+  {
+    mesher->SetGrowth(this->growth);
   }
   std::string pairs;
   for (const std::string& pair : this->periodic)

@@ -18,14 +18,24 @@ struct SideOptions
   std::vector<std::string> progressions;
   std::vector<std::string> sizes;
   std::vector<std::string> periodic;
-  std::vector<std::string> curves; ///< Of --curve.
-  std::string otherCurves;         ///< Of --curves.
+  std::vector<std::string> curves;      ///< Of --curve.
+  std::string otherCurves;              ///< Of --curves.
+  std::vector<std::string> sizesNear;   ///< Of --size-near.
+  std::vector<std::string> sizesInside; ///< Of --size-in.
   double minimumSize = 0.0;
   double maximumSize = 0.0;
+  double growth = 0.0; ///< 0: not given.
 
-  /** Adds the options --count, --progression, --size-at, --periodic, --min-size, --max-size, --curve, --curves. */
+  /**
+   * Adds the options --count, --progression, --size-at, --size-near, --size-in, --growth, --min-size, --max-size,
+   * --periodic, --curve and --curves.
+   */
   void AddTo(CLI::App& command);
-  /** Returns the sizes of --size-at that are positive numbers; others are refused by the filter. */
+  /** Returns whether sizes of parts of the domain are prescribed, or bounds. */
+  bool HasSizes() const;
+  /**
+   * Returns the sizes of --size-at and --size-in that are positive numbers; others are refused by the filter.
+   */
   std::vector<std::pair<std::string, double>> ReadSizes() const;
   /** Returns the sides of --periodic. Throws PipelineRun::Error if a pair has no two names. */
   std::vector<std::string> PeriodicNames() const;

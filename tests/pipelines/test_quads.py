@@ -289,9 +289,9 @@ LOOKUP_TABLE default
             return json.loads(self.succeed(*common, *options, "--json", "-"))
 
         report = optimized( "field", "Length", "--even", "--pairs", "1")
-        # Linear between 0.1 and 0.2, whose logarithm has this standard deviation; H of a channel is
-        # 0.
-        self.assertAlmostEqual(report["size_spread_before"], 0.1983, delta=0.002)
+        # Linear between 0.1 and 0.2, whose logarithm has this standard deviation, half by area and half by quads;
+        # H of a channel is 0.
+        self.assertAlmostEqual(report["size_spread_before"], 0.2015, delta=0.002)
         self.assertLess(report["size_spread_after"], 0.6 * report["size_spread_before"])
         self.assertEqual(sorted(s["quarter_index"] for s in report["singularities"]), [-1, 1])
         self.assertLess(optimized("uniform", "--even")["size_spread_before"], 1e-9)

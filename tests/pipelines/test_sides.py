@@ -180,6 +180,27 @@ class Sides(ProgramTest):
         self.assertLess(self.report("rectangle.vtp", "--size", "0.1", "--min-size", "0.2")["quads"], 200)
         self.assertEqual(self.edges("rectangle.vtp", "--progression", "top:both:0.2", "--count", "top:20")["top"], 20)
 
+    def test_sizes_near_positions_and_inside_sides(self):
+        report = self.report("plate.vtp", "--size", "0.2", "--size-near", "0.3,0.3:0.04,0.1")
+        target = report["size_target"]
+        self.assertGreaterEqual(target["area_share"], 0.95, target)
+        self.assertGreaterEqual(target["quad_share"], 0.9, target)
+        self.assertEqual(target["factor"], 1)
+        self.assertEqual([side["name"] for side in target["sides"]], ["0.3,0.3"])
+        self.assertAlmostEqual(target["sides"][0]["median"], 1, delta=0.25)
+        self.assertGreater(target["largest_jump"], 1)
+        # a number is met, and where it cannot be with these sizes they are multiplied
+        many = self.report("plate.vtp", "--quads", "2000", "--size-at", "hole:0.04")
+        self.assertAlmostEqual(many["quads"], 2000, delta=100)
+        self.assertEqual(many["size_target"]["factor"], 1)
+        few = self.report("plate.vtp", "--quads", "150", "--size-at", "hole:0.03")
+        self.assertAlmostEqual(few["quads"], 150, delta=8)
+        self.assertGreater(few["size_target"]["factor"], 1.1)
+        self.assertGreater(self.report("plate.vtp", "--size-at", "hole:0.03")["quads"], 500)
+        inside = self.report("plate.vtp", "--size", "0.3", "--size-in", "hole:0.06")
+        self.assertAlmostEqual(inside["size_target"]["sides"][0]["median"], 1, delta=0.25)
+        self.assertNotIn("size_target", self.report("plate.vtp", "--size", "0.2"))
+
     def test_impossible_prescriptions_are_one_sentence_and_write_nothing(self):
         for domain, arguments, words in (
                 ("rectangle.vtp", "--count bottom:24 --count top:11",
@@ -202,6 +223,13 @@ class Sides(ProgramTest):
                 ("plate.vtp", "--progression bottom:2.9,0.3", "do not fit on side 'bottom'"),
                 ("plate.vtp", "--size-at hole:0", "'0' of side 'hole'"),
                 ("plate.vtp", "--size-at hole:nan", "'nan' of side 'hole'"),
+                ("plate.vtp", "--size-in bottom:0.1", "'bottom' encloses nothing"),
+                ("plate.vtp", "--size-in hole:x", "'x' of side 'hole'"),
+                ("plate.vtp", "--size-near 0.3,0.3", "'0.3,0.3' is no position"),
+                ("plate.vtp", "--size-near 0.3,0.3:-1", "is no position with a positive size"),
+                ("plate.vtp", "--size-near 0.3,0.3:0.1,0.1,0.1", "is no position"),
+                ("plate.vtp", "--size-near 9,9:0.1", "(9, 9) of a size is outside of the domain"),
+                ("plate.vtp", "--size-near 0.3,0.3:0.1 --growth 1", "above 1"),
                 ("plate.vtp", "--count 24", "no name of a side"),
                 ("plate.vtp", "--count hole:", "no value"),
                 ("plate.vtp", "--names Nothing", "no cell array 'Nothing'"),

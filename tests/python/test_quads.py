@@ -37,6 +37,19 @@ class Quads(unittest.TestCase):
         with self.assertRaisesRegex(crossfield.Error, word):
             crossfield.quads(*arguments, **options)
 
+    def test_sizes_near_positions_and_inside_sides(self):
+        mesh = crossfield.quads("builtin:l-shape", size=0.25, sizes_near=[(1, 1, 0.04), (0.5, 0.5, 0.06, 0.1)])
+        self.assertGreater(mesh.report["size_target"]["area_share"], 0.9)
+        self.assertEqual([side["name"] for side in mesh.report["size_target"]["sides"]], ["1,1", "0.5,0.5"])
+        steep = crossfield.quads("builtin:l-shape", size=0.25, sizes_near=[(1, 1, 0.04)], growth=2.0)
+        self.assertLess(len(steep.quads), len(mesh.quads))
+        ring = crossfield.quads("builtin:ring", sizes_inside={"hole0": 0.05})
+        self.assertGreater(len(ring.quads), 500)
+        with self.assertRaisesRegex(crossfield.Error, "no row"):
+            crossfield.quads("builtin:disk", sizes_near=[(0, 0)])
+        with self.assertRaisesRegex(crossfield.Error, "above 1"):
+            crossfield.quads("builtin:disk", sizes_near=[(0, 0, 0.1)], growth=1.0)
+
     def test_numbers_are_those_of_the_program(self):
         for options, arguments in (({}, ()), ({"size": 0.1}, ("--size", "0.1")),
                                    ({"count": 300, "mesh_size": 0.05}, ("--quads", "300", "--mesh-size", "0.05")),

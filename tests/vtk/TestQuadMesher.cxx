@@ -206,7 +206,7 @@ TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
   for (int i = 0; i <= 2 * columns + 1; ++i)
   {
     strip.push_back(
-      { 3.0 * (i <= columns ? i : 2 * columns + 1 - i) / columns, i <= columns ? 0.0 : 0.2 });
+      { 3.0 * (i <= columns ? i : 2 * columns + 1 - i) / columns, i <= columns ? 0.0 : 0.3 });
   }
   const auto curves = TestInputs::Loops({ strip });
   vtkNew<vtkDoubleArray> lengths;

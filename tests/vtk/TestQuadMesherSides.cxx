@@ -334,8 +334,66 @@ TEST(QuadMesherSides, PrescriptionsAreProperties)
   EXPECT_EQ(CountEdges(mesher)["bottom"], 19);
   mesher->ClearSides();
   mesher->AddSide("left", "", "", "0.1");
+  const FilterChecks::MessageRecorder recorder(
+    mesher); // sizes are met on less than 90 % of the area
   mesher->Update();
+  EXPECT_TRUE(recorder.errors.empty());
   EXPECT_NEAR(CountEdges(mesher)["left"], 28, 5); // the side has the length √8
+}
+
+TEST(QuadMesherSides, SizesNearPositionsAndInsideSidesAreProperties)
+{
+  const auto domain = Rectangle();
+  domain->GetCellData()->AddArray(Names("Side"));
+  const auto mesher = MesherOf(domain);
+  mesher->SetQuadSize(0.3);
+  const auto quadsOf = [&]
+  {
+    mesher->Update();
+    return mesher->GetOutput()->GetNumberOfCells();
+  };
+  const auto report = [&](const char* name) -> double
+  {
+    vtkDataArray* array = mesher->GetOutputDataObject(8)->GetFieldData()->GetArray(name);
+    return array == nullptr ? -1.0 : array->GetTuple1(0);
+  };
+  const vtkIdType without = quadsOf();
+  EXPECT_EQ(report("SizeTargetAreaShare"), -1.0);
+  mesher->AddSizeNear(1.5, 1.0, 1.0, 0.04, 0.2); // in the plane z = y
+  const vtkIdType with = quadsOf();
+  EXPECT_GT(with, 2 * without);
+  EXPECT_GT(report("SizeTargetAreaShare"), 0.9);
+  EXPECT_EQ(report("SizeTargetFactor"), 1.0);
+  mesher->SetGrowth(1.05); // sizes stay small farther away
+  EXPECT_GT(quadsOf(), 2 * with);
+  mesher->ClearSizesNear();
+  mesher->SetGrowth(1.25);
+  EXPECT_EQ(quadsOf(), without);
+  mesher->AddSizeInside("left", "0.1");
+  const FilterChecks::MessageRecorder recorder(mesher);
+  mesher->Update();
+  ASSERT_EQ(recorder.errors.size(), 1U);
+  EXPECT_NE(recorder.errors[0].find("'left' encloses nothing"), std::string::npos)
+    << recorder.errors[0];
+  mesher->ClearSizesInside();
+  // The rectangle as one side, by a table.
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    vtkStringArray::SafeDownCast(domain->GetCellData()->GetAbstractArray("Side"))
+      ->SetValue(i, "all");
+  }
+  domain->Modified();
+  vtkNew<vtkTable> table;
+  vtkNew<vtkStringArray> names;
+  names->SetName("Side");
+  names->InsertNextValue("all");
+  table->AddColumn(names);
+  vtkNew<vtkDoubleArray> sizes;
+  sizes->SetName("SizeInside");
+  sizes->InsertNextValue(0.15);
+  table->AddColumn(sizes);
+  mesher->SetSideTableData(table);
+  EXPECT_NEAR(static_cast<double>(quadsOf()), 6.0 * std::sqrt(2.0) / 0.0225, 60.0);
 }
 
 TEST(QuadMesherSides, Refusals)

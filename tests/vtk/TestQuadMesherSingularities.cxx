@@ -172,7 +172,11 @@ TEST_F(QuadMesherSingularities, MakesTheSameMeshOfWhatItChoseUnlessItMoved)
     }
     given->SetSingularitiesConnection(chosen->GetOutputPort(3));
     given->SetCornersConnection(chosen->GetOutputPort(4));
-    FilterChecks::UpdateWithoutError(given);
+    const FilterChecks::MessageRecorder first(
+      chosen); // sizes are met on less than 90 % of the area
+    const FilterChecks::MessageRecorder second(given);
+    given->Update();
+    EXPECT_TRUE(first.errors.empty() && second.errors.empty());
     const bool moves = sizing != vtkQuadMesher::SizingConformal;
     if (!moves)
     {

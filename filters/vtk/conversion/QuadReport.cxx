@@ -204,6 +204,26 @@ void WriteAlternatives(const std::vector<crossfield::Alternative>& alternatives,
 }
 
 //------------------------------------------------------------------------------
+void WriteSizes(const std::optional<crossfield::SizeReport>& sizes, vtkFieldData* data)
+{
+  if (!sizes)
+  {
+    return;
+  }
+  using Set = crossfield::SizeReport::Set;
+  ColumnWriting::AddNumbers(data, names::SizeTargetAreaShare, { sizes->AreaShare() });
+  ColumnWriting::AddNumbers(data, names::SizeTargetQuadShare, { sizes->QuadShare() });
+  ColumnWriting::AddNumbers(data, names::SizeTargetFineMedian, { sizes->FineMedian() });
+  ColumnWriting::AddNumbers(data, names::SizeTargetLargestJump, { sizes->largestJump });
+  ColumnWriting::AddIntegers(data, names::SizeTargetNodesAdded, { sizes->nodesAdded });
+  ColumnWriting::AddNumbers(data, names::SizeTargetFactor, { sizes->factor });
+  ColumnWriting::AddColumn<vtkStringArray>(
+    data, names::SizeTargetSideName, sizes->sets, [](const Set& set) { return set.name; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(
+    data, names::SizeTargetSideMedian, sizes->sets, [](const Set& set) { return set.Median(); });
+}
+
+//------------------------------------------------------------------------------
 void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFieldData* data)
 {
   vtkNew<vtkStringArray> texts;

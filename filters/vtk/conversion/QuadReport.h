@@ -28,6 +28,9 @@ void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* dat
 void WriteAlternatives(
   const std::vector<crossfield::Alternative>& alternatives, vtkFieldData* data);
 
+/** Writes how closely target sizes are met; nothing if there are none. */
+void WriteSizes(const std::optional<crossfield::SizeReport>& sizes, vtkFieldData* data);
+
 /** Writes the attempts, two texts for each. */
 void WriteAttempts(const std::vector<crossfield::AttemptReport>& attempts, vtkFieldData* data);
 

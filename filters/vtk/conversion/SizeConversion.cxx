@@ -171,6 +171,10 @@ crossfield::PrescribedSizes ReadSizes(
   sizes.length = [sampler, plane](const crossfield::Point& place)
   { return sampler->At(plane.ToSpace(place)); };
   sizes.isOnBoundaryOnly = !hasSurface;
+  for (const vtkIdType point : used.GetIds())
+  {
+    sizes.places.push_back(plane.ToPlane(Eigen::Vector3d(domain->GetPoint(point))));
+  }
   return sizes;
 }
 }

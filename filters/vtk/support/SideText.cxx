@@ -12,11 +12,12 @@
 
 namespace SideText
 {
-const std::array<Column, 10> Columns{ {
+const std::array<Column, 11> Columns{ {
   { "Side", &Row::side },
   { "Count", &Row::count },
   { "Progression", &Row::progression },
   { "Size", &Row::size },
+  { "SizeInside", &Row::sizeInside },
   { "Curve", &Row::curve },
   { "LayerFirst", &Row::layerFirst },
   { "LayerGrowth", &Row::layerGrowth },
@@ -143,6 +144,10 @@ public:
     if (!row.size.empty())
     {
       request.size = this->Positive(row.size, "size", "a positive number");
+    }
+    if (!row.sizeInside.empty())
+    {
+      request.inside = this->Positive(row.sizeInside, "size inside", "a positive number");
     }
     if (!row.curve.empty())
     {

@@ -24,6 +24,7 @@ struct Row
   std::string count;
   std::string progression; ///< RATIO or FIRST,LAST, also after `both:`.
   std::string size;
+  std::string sizeInside; ///< Size of the quads in what the side encloses.
   std::string curve;      ///< circle, ellipse, spline or line.
   std::string layerFirst; ///< Height of the first row.
   std::string layerGrowth;
@@ -40,7 +41,7 @@ struct Column
 };
 
 /** The columns, `Side` first. */
-extern const std::array<Column, 10> Columns;
+extern const std::array<Column, 11> Columns;
 
 /** Reads entries NAME:FIRST[,GROWTH[,ROWS]]. */
 std::vector<Row> ReadLayers(const std::string& text);
