@@ -30,11 +30,14 @@ AutomaticConfiguration ChoiceOf(const SizedConfiguration& found, const Automatic
 /// Returns the options of the search, which refer to the domain and the options.
 SizeSearchOptions SearchOptions(const PlanarDomain& domain, const AutomaticOptions& options)
 {
-  // The logarithm of a size and that of its multiples need the same singularities: the search uses
-  // sizes that are no smaller than those of this number of quads.
-  constexpr double MostQuads = 3000.0;
-  const double quadSize =
-    std::max(ResolveQuadSize(domain, options), std::sqrt(domain.Area() / MostQuads));
+  // The logarithm of a size and that of its multiples need the same singularities. Sizes are doubled until
+  // few quads are left, so that meshes that are refined by halving all sizes have the same ones.
+  constexpr double MostQuads = 2400.0;
+  double quadSize = ResolveQuadSize(domain, options);
+  while (domain.Area() / (quadSize * quadSize) > MostQuads)
+  {
+    quadSize *= 2.0;
+  }
   SizeSearchOptions search;
   search.corners = options.proposal.corners;
   search.cornerAngle = options.proposal.cornerAngle;

@@ -13,11 +13,11 @@ namespace crossfield
 {
 namespace
 {
-/// Weight of holonomy defects: where it is large, no pair pays, since the first of its positions has a defect.
-constexpr double WeightOfDefects =
-  250.0; // of which a tenth counts without symmetries (MakeOrbitForm)
+/// Weights of holonomy defects, of which a tenth counts without symmetries (MakeOrbitForm). In the search it is
+/// small: otherwise no pair would pay, since at sites its defects do not vanish.
+constexpr double WeightOfDefects = 250.0;
 constexpr double WeightWhenRefined = 25000.0;
-/// In target sizes: the least distance of two singularities.
+/// Least distance of two singularities, in target sizes.
 constexpr double Apart = 1.6;
 constexpr double ApartWhenRefined = 1.2;
 

@@ -88,8 +88,10 @@ public:
         this->Balances = false;
         EdgeCounts other =
           this->FindCounts(progress.Part((done + 1.0) / count, (done + 1.0) / count));
-        found =
-          this->CountError(other) < this->CountError(found) ? std::move(other) : std::move(found);
+        if (this->CountError(other) < this->CountError(found))
+        {
+          found = std::move(other);
+        }
       }
       if (!best || this->CountError(found) < this->CountError(*best))
       {

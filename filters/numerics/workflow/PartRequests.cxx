@@ -20,6 +20,14 @@ double WeightOf(const PlanarDomain& part, const QuadRequest& request)
   return part.Area() / (size * size);
 }
 
+/// Returns whether sizes are requested besides one for all quads.
+bool RequestsSizes(const QuadRequest& request)
+{
+  return !request.sizesNear.empty() || request.minimumSize > 0.0 || request.maximumSize > 0.0 ||
+    std::any_of(request.sideRequests.begin(), request.sideRequests.end(),
+      [](const SideRequest& one) { return one.size != 0.0 || one.inside != 0.0; });
+}
+
 /// Throws Error if something is prescribed for a side that no part has.
 void RequireSides(const std::vector<DomainPart>& parts, const QuadRequest& request)
 {
@@ -127,13 +135,14 @@ std::vector<PartRequest> SplitRequest(
   }
   if (request.quadSize == 0.0 && request.quadCount == 0 && request.sizing != Sizing::Field)
   {
-    // That of one part would depend on the part.
+    // The size elsewhere is that of all parts together.
     double area = 0.0;
     for (const DomainPart& part : parts)
     {
       area += part.domain.Area();
     }
-    request.quadSize = std::sqrt(area / DefaultQuads);
+    request.quadSize = RequestsSizes(request) ? std::sqrt(area / DefaultQuads) : 0.0;
+    request.quadCount = DefaultQuads;
   }
   const auto partAt = [&](const Point& place)
   {
@@ -157,6 +166,7 @@ std::vector<PartRequest> SplitRequest(
       ? request.quadCount // as many as sizes need; a negative one is refused
       : std::max(1, static_cast<int>(std::lround(result[p].share * request.quadCount)));
     Keep(own.sideRequests, [&](const SideRequest& one) { return hasSide(one.side); });
+    Keep(own.sizesNear, [&](const SizeNear& near) { return isHere(near.place); });
     Keep(own.corners, [&](const CornerChoice& corner) { return isHere(corner.position); });
     Keep(own.cornerRows,
       [&](const CornerRule& rule)

@@ -179,7 +179,7 @@ public:
   const std::vector<SizedSet>& GetSets() const { return this->Sets; }
 
 private:
-  /// Of a size, half of what the number of quads may miss: it is met more closely than that.
+  /// Relative error of the mean size that is accepted: the number of quads is right to 1 %.
   static constexpr double Near = 0.005;
 
   /// Returns the factor of the base with which there are as many quads as requested.

@@ -8,6 +8,8 @@
 #include "QuadWorkflow.h"
 #include "Support.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -171,6 +173,32 @@ TEST(JoinedParts, HolesAreTheSidesOfAllInnerLoops)
     { "e", "e", "e", "e" } };
   EXPECT_EQ(namesOf({ domain, NameSides(domain, names), {} }),
     (std::vector<std::string>{ "outer0", "holes" }));
+}
+
+TEST(JoinedParts, SizesNearPositionsAreThoseOfTheirPart)
+{
+  QuadRequest request;
+  request.quadCount = 0;
+  // About 1,000 quads in all parts together, not in each of them.
+  const QuadWorkflowResult usual = MakeQuadsOfParts(ThreeParts(), request);
+  EXPECT_NEAR(static_cast<double>(usual.quads.mesh.quads.size()), 1000.0, 50.0);
+  EXPECT_FALSE(usual.sizes);
+  request.quadSize = 0.1;
+  const QuadWorkflowResult without = MakeQuadsOfParts(ThreeParts(), request);
+  request.sizesNear = { { { 6.5, 0.5 }, 0.02, 0.1 } }; // in the square
+  const QuadWorkflowResult with = MakeQuadsOfParts(ThreeParts(), request);
+  std::array<std::ptrdiff_t, 3> before{};
+  std::array<std::ptrdiff_t, 3> after{};
+  for (int part = 0; part < 3; ++part)
+  {
+    before[part] = std::count(without.part.begin(), without.part.end(), part);
+    after[part] = std::count(with.part.begin(), with.part.end(), part);
+  }
+  EXPECT_EQ(before[0], after[0]);
+  EXPECT_EQ(before[1], after[1]);
+  EXPECT_GT(after[2], before[2] + 50);
+  ASSERT_TRUE(with.sizes);
+  EXPECT_EQ(with.sizes->samples.size(), static_cast<std::size_t>(after[2]));
 }
 
 TEST(JoinedParts, CountsFollowPrescribedSizes)

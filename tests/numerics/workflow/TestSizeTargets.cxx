@@ -178,6 +178,25 @@ TEST(SizeTargets, AreRefusedWhereTheyMakeNoSense)
   EXPECT_GT(MakeQuadMesh(plate, request).quads.mesh.quads.size(), 100U);
 }
 
+TEST(SizeTargets, AnyNumberOfQuadsInAStripHasAMesh)
+{
+  const PlanarDomain strip =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 0.3 }, { 0.0, 0.3 } } });
+  QuadRequest request;
+  request.sizing = Sizing::Field;
+  request.prescribedSizes.length = [](const Point& place)
+  { return 0.1 * std::pow(2.0, place.x() / 3.0); };
+  request.singularities = Configuration();
+  for (int count = 30; count < 70; ++count)
+  {
+    request.quadCount = count;
+    const QuadWorkflowResult result = MakeQuadMesh(strip, request);
+    const auto quads = static_cast<double>(result.quads.mesh.quads.size());
+    ASSERT_GT(quads, 0.0);
+    EXPECT_EQ(std::abs(quads / count - 1.0) > 0.05, AnyHas(result.warnings, "No number of quads"));
+  }
+}
+
 TEST(SizeReport, MeasuresWhatIsInTheMesh)
 {
   const PlanarDomain plate = PlateWithHole();
