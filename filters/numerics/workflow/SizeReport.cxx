@@ -226,15 +226,11 @@ SizeReport MeasureSizes(const QuadResult& quads, const SizeTargets& targets)
 std::string DescribeMissedSizes(const SizeReport& report)
 {
   constexpr double Enough = 0.9;
+  constexpr double FarOff = 2.0; // a set may be so small that it hardly counts in the shares
   const double area = report.AreaShare();
   const double quads = report.QuadShare();
-  if (std::min(area, quads) >= Enough)
-  {
-    return {};
-  }
-  std::string text = "Sizes are met within 25 % on " + FormatNumber(100.0 * area, 2) +
-    " % of the area, by " + FormatNumber(100.0 * quads, 2) + " % of the quads; ";
-  double largest = std::log(Tolerance);
+  const bool isMissed = std::min(area, quads) < Enough;
+  double largest = std::log(isMissed ? Tolerance : FarOff);
   std::string where;
   for (const SizeReport::Set& set : report.sets)
   {
@@ -246,9 +242,16 @@ std::string DescribeMissedSizes(const SizeReport& report)
         "at '" + set.name + "' quads have " + FormatNumber(median, 3) + " times the target size.";
     }
   }
-  return text +
-    (where.empty() ? "where the smallest are requested, quads have " +
-          FormatNumber(report.FineMedian(), 3) + " times the target size."
-                   : where);
+  if (!isMissed && where.empty())
+  {
+    return {};
+  }
+  if (where.empty())
+  {
+    where = "where the smallest are requested, quads have " + FormatNumber(report.FineMedian(), 3) +
+      " times the target size.";
+  }
+  return "Sizes are met within 25 % on " + FormatNumber(100.0 * area, 2) + " % of the area, by " +
+    FormatNumber(100.0 * quads, 2) + " % of the quads; " + where;
 }
 }

@@ -71,6 +71,6 @@ struct SizeReport
 SizeReport MeasureSizes(const QuadResult& quads, const SizeTargets& targets);
 
 /// Returns a sentence that says where sizes are missed if less than 90 % of the area or of the quads are
-/// within 25 %, otherwise nothing.
+/// within 25 %, or the median of a set differs by more than a factor of two; otherwise nothing.
 std::string DescribeMissedSizes(const SizeReport& report);
 }

@@ -311,6 +311,11 @@ TEST(SizeReport, SaysWhereSizesAreMissed)
   EXPECT_NE(sentence.find("82 % of the area"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("at 'bad' quads have 2 times"), std::string::npos) << sentence;
   EXPECT_EQ(report.FineMedian(), 2.0);
+  // A set that is too small to count in the shares.
+  report.samples.assign(100, { 1.0, 1.0 });
+  EXPECT_EQ(DescribeMissedSizes(report), "");
+  report.sets[1].ratios = { 2.1 };
+  EXPECT_NE(DescribeMissedSizes(report).find("at 'bad' quads have 2.1 times"), std::string::npos);
 }
 
 TEST(SizeReport, LayersAreNotMeasuredButTheirJumps)
