@@ -23,8 +23,46 @@ namespace
 constexpr double SizeWeight = 1e4;
 constexpr double EnergyWeight = 0.2;
 
-/// Meshes a domain with edges of about the target size. Sizes vary slowly, so that a mesh that is as fine as
-/// they are at the vertices of another one is at most a few times too coarse elsewhere.
+/// Returns the vertices of a mesh at which sizes change, by at least a quarter of their largest change per
+/// distance.
+std::vector<bool> FindGraded(const TriangleMesh& mesh, const SizeFunction& size)
+{
+  constexpr double Part = 0.25;
+  constexpr double Noticeable = 0.02; // two percent from quad to quad are no grading
+  std::vector<double> sizes;
+  for (const Point& point : mesh.points)
+  {
+    sizes.push_back(size(point));
+    if (!(sizes.back() > 0.0))
+    {
+      throw Error("The target size at " + Describe(point) +
+        " is not a positive number; give sizes that are positive in the whole domain.");
+    }
+  }
+  std::vector<double> slopes(sizes.size(), 0.0);
+  for (const std::array<int, 3>& triangle : mesh.triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto from = static_cast<std::size_t>(triangle[i]);
+      const auto to = static_cast<std::size_t>(triangle[(i + 1) % 3]);
+      const double slope =
+        std::abs(sizes[to] - sizes[from]) / (mesh.points[to] - mesh.points[from]).norm();
+      slopes[from] = std::max(slopes[from], slope);
+      slopes[to] = std::max(slopes[to], slope);
+    }
+  }
+  const double least = std::max(Noticeable, Part * *std::max_element(slopes.begin(), slopes.end()));
+  std::vector<bool> isGraded;
+  for (const double slope : slopes)
+  {
+    isGraded.push_back(slope >= least);
+  }
+  return isGraded;
+}
+
+/// Meshes a domain with edges of about the target size where it changes. Sizes change slowly, so that a mesh
+/// that is as fine as they are at the vertices of another one is at most a few times too coarse elsewhere.
 TriangleMesh MeshFor(const PlanarDomain& domain, const SizeFunction& size, const Progress& progress)
 {
   constexpr int MostMeshes = 6;
@@ -35,17 +73,13 @@ TriangleMesh MeshFor(const PlanarDomain& domain, const SizeFunction& size, const
   for (int i = 0; i < MostMeshes; ++i)
   {
     options.refinements.clear();
-    for (const Point& point : mesh.points)
+    const std::vector<bool> isGraded = FindGraded(mesh, size);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
     {
-      const double length = 1.1 * size(point);
-      if (!(length > 0.0))
+      const double length = 1.1 * size(mesh.points[v]);
+      if (isGraded[v] && length < usual)
       {
-        throw Error("The target size at " + Describe(point) +
-          " is not a positive number; give sizes that are positive in the whole domain.");
-      }
-      if (length < usual)
-      {
-        options.refinements.push_back({ point, length });
+        options.refinements.push_back({ mesh.points[v], length });
       }
     }
     TriangleMesh finer = DrillHoles(domain, {}, options, progress);
@@ -58,6 +92,49 @@ TriangleMesh MeshFor(const PlanarDomain& domain, const SizeFunction& size, const
     }
   }
   return mesh;
+}
+
+/// Returns the areas that the vertices of a mesh represent.
+Eigen::VectorXd MassesOf(const TriangleMesh& mesh)
+{
+  Eigen::VectorXd masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.points.size()));
+  for (const auto& triangle : mesh.triangles)
+  {
+    for (const int vertex : triangle)
+    {
+      masses[vertex] += TriangleArea(mesh, triangle) / 3.0;
+    }
+  }
+  return masses;
+}
+
+/// Returns weights that count half by area and half by quads. Where sizes change counts at least a fifth: it may
+/// be small and have few of the quads.
+Eigen::VectorXd WeightsOf(
+  const TriangleMesh& mesh, const Eigen::VectorXd& masses, const SizeFunction& size)
+{
+  constexpr double LeastPart = 0.2;
+  Eigen::VectorXd quads(masses.size());
+  for (Eigen::Index v = 0; v < masses.size(); ++v)
+  {
+    quads[v] = masses[v] / std::pow(size(mesh.points[static_cast<std::size_t>(v)]), 2);
+  }
+  Eigen::VectorXd weights = 0.5 * masses / masses.sum() + 0.5 * quads / quads.sum();
+  const std::vector<bool> isGraded = FindGraded(mesh, size);
+  double part = 0.0;
+  for (Eigen::Index v = 0; v < weights.size(); ++v)
+  {
+    part += isGraded[static_cast<std::size_t>(v)] ? weights[v] : 0.0;
+  }
+  if (part > 0.0 && part < LeastPart)
+  {
+    for (Eigen::Index v = 0; v < weights.size(); ++v)
+    {
+      weights[v] *=
+        isGraded[static_cast<std::size_t>(v)] ? LeastPart / part : (1.0 - LeastPart) / (1.0 - part);
+    }
+  }
+  return weights;
 }
 
 /// Returns a place far from the boundary that is no vertex, no midpoint and no centre.
@@ -80,6 +157,20 @@ Point FindAnchor(const PlanarDomain& domain, const TriangleMesh& mesh)
 }
 }
 
+double CountGradedQuads(const PlanarDomain& domain, const SizeFunction& size)
+{
+  const TriangleMesh mesh = MeshFor(domain, size, {});
+  const Eigen::VectorXd masses = MassesOf(mesh);
+  const std::vector<bool> isGraded = FindGraded(mesh, size);
+  double count = 0.0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    count +=
+      isGraded[v] ? masses[static_cast<Eigen::Index>(v)] / std::pow(size(mesh.points[v]), 2) : 0.0;
+  }
+  return count;
+}
+
 double SizeForm::AtSites::SpreadOf(const Eigen::VectorXi& indices) const
 {
   const Eigen::VectorXd deviation = this->constant + this->columns * indices.cast<double>();
@@ -94,21 +185,8 @@ SizeForm::SizeForm(
 {
   const TriangleMesh& mesh = this->Topology->mesh;
   const auto count = static_cast<Eigen::Index>(mesh.points.size());
-  Eigen::VectorXd masses = Eigen::VectorXd::Zero(count);
-  for (const auto& triangle : mesh.triangles)
-  {
-    for (const int vertex : triangle)
-    {
-      masses[vertex] += TriangleArea(mesh, triangle) / 3.0;
-    }
-  }
-  Eigen::VectorXd sizes(count);
-  for (Eigen::Index v = 0; v < count; ++v)
-  {
-    sizes[v] = this->Size(mesh.points[v]);
-  }
-  const Eigen::VectorXd quads = masses.cwiseQuotient(sizes.cwiseAbs2());
-  this->Weights = 0.5 * masses / masses.sum() + 0.5 * quads / quads.sum();
+  const Eigen::VectorXd masses = MassesOf(mesh);
+  this->Weights = WeightsOf(mesh, masses, this->Size);
   // The mean of log r over a disk of the area m is log(0.35 h) for equilateral triangles of side h.
   constexpr double CoreFactor = 0.35;
   this->SquaredCores = CoreFactor * CoreFactor * 2.0 / std::sqrt(3.0) * masses;
@@ -141,8 +219,11 @@ SizeForm::SizeForm(
   this->Changes =
     std::make_unique<const StrengthChanges>(std::make_shared<const PositionEnergy>(points), given);
   const PointPotential::Solution solution = points->Solve(given);
-  this->Given =
-    this->LogSizes(solution.regular.head(count), solution.logs) - sizes.array().log().matrix();
+  this->Given = this->LogSizes(solution.regular.head(count), solution.logs);
+  for (Eigen::Index v = 0; v < count; ++v)
+  {
+    this->Given[v] -= std::log(this->Size(mesh.points[static_cast<std::size_t>(v)]));
+  }
 }
 
 Eigen::VectorXd SizeForm::LogSizes(

@@ -3,6 +3,7 @@
 #include "FitToQuads.h"
 #include "OptimizerReport.h"
 #include "Segment.h"
+#include "SizeForm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,20 +31,30 @@ AutomaticConfiguration ChoiceOf(const SizedConfiguration& found, const Automatic
 /// Returns the options of the search, which refer to the domain and the options.
 SizeSearchOptions SearchOptions(const PlanarDomain& domain, const AutomaticOptions& options)
 {
-  // The logarithm of a size and that of its multiples need the same singularities. Sizes are doubled until
-  // few quads are left, so that meshes that are refined by halving all sizes have the same ones.
-  constexpr double MostQuads = 2400.0;
-  double quadSize = ResolveQuadSize(domain, options);
+  // The logarithm of a size and that of its multiples need the same singularities. The search uses the multiple by
+  // a power of two with which sizes change on as many quads as it can resolve, so that meshes that are
+  // refined by halving all sizes have the same singularities.
+  constexpr double MostQuads = 1600.0;
+  const double requested = ResolveQuadSize(domain, options);
+  const auto sizeFor = [&options](double quadSize) -> SizeFunction
+  {
+    return [quadSize, &options](const Point& place)
+    { return quadSize * options.optimizer.sizes.At(place); };
+  };
+  double quadSize = requested;
   while (domain.Area() / (quadSize * quadSize) > MostQuads)
   {
     quadSize *= 2.0;
+  }
+  while (quadSize > requested && CountGradedQuads(domain, sizeFor(0.5 * quadSize)) <= MostQuads)
+  {
+    quadSize *= 0.5;
   }
   SizeSearchOptions search;
   search.corners = options.proposal.corners;
   search.cornerAngle = options.proposal.cornerAngle;
   search.given = options.proposal.given;
-  search.size = [quadSize, &options](const Point& place)
-  { return quadSize * options.optimizer.sizes.At(place); };
+  search.size = sizeFor(quadSize);
   const ClearanceFactors& factors = options.optimizer.clearanceFactors;
   if (!factors.empty()) // layers need room
   {

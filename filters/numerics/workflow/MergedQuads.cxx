@@ -14,8 +14,7 @@ namespace crossfield
 {
 namespace
 {
-QuadOptions OptionsFor(
-  const PlanarDomain& domain, const ResolvedRequest& request, const PlanarTopology& topology)
+QuadOptions OptionsFor(const PlanarDomain& domain, const ResolvedRequest& request)
 {
   QuadOptions options;
   options.quadSize = request.quadSize;
@@ -25,9 +24,9 @@ QuadOptions OptionsFor(
   options.curves = request.curves;
   options.prescribed = request.prescribed;
   options.hold = request.hold;
-  if (request.sizing == Sizing::Field)
+  if (request.targets)
   {
-    RelativeSizes sizes = ComputeRelativeSizes(request.prescribedSizes, topology);
+    RelativeSizes sizes = RelativeTo(*request.targets);
     options.sizes.field = std::move(sizes.field);
     options.quadSize *= sizes.mean;
     RequireQuadSize(domain, options.quadSize);
@@ -108,7 +107,7 @@ MergedQuads MakeMergedQuads(const PlanarDomain& domain, const ResolvedRequest& r
   const bool clean = !request.hold && request.merge != BlockMerge::None;
   MergedQuads merged;
   merged.map = map;
-  merged.options = OptionsFor(domain, request, *RequirePlanar(layout.map.topology));
+  merged.options = OptionsFor(domain, request);
   merged.mesh.layouts = LayoutSet(std::move(layout), request.periodic);
   const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
   merged.mesh.quads = MakeQuads(merged.mesh.layouts, merged.options, making.Part(0.0, 0.5));

@@ -41,6 +41,13 @@ RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTop
   return result;
 }
 
+RelativeSizes RelativeTo(const SizeTargets& targets)
+{
+  return { [length = targets.length, mean = targets.mean](const Point& place)
+    { return length(place) / mean; },
+    targets.mean };
+}
+
 RelativeSizes ComputeRelativeSizes(
   const PrescribedSizes& sizes, const PlanarDomain& domain, double meshSize)
 {

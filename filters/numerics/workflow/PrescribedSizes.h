@@ -2,6 +2,7 @@
 
 #include "PlanarDomain.h"
 #include "PlanarTopology.h"
+#include "SizeReport.h"
 #include "TargetSize.h"
 
 namespace crossfield
@@ -29,6 +30,9 @@ Eigen::VectorXd SampleSizes(const PrescribedSizes& sizes, const PlanarTopology& 
 
 /// Divides the samples by their mean.
 RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const PlanarTopology& topology);
+
+/// Returns target sizes relative to their mean.
+RelativeSizes RelativeTo(const SizeTargets& targets);
 
 /// Does the same on a mesh of the domain without singularities. `meshSize` is the edge length of
 /// its triangles, 0 for the default.

@@ -50,8 +50,8 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
     !request.prescribed.empty() || request.minimumSize > 0.0 || request.maximumSize > 0.0;
   for (const std::string& warning :
     { request.isPart ? std::string() : DescribeCount(request, isPrescribed, result.quads),
-      DescribeSizes(request, result.quads), DescribeArea(result.quads),
-      DescribeLostSides(result.quads.mesh),
+      result.sizes ? std::string() : DescribeSizes(request, result.quads),
+      DescribeArea(result.quads), DescribeLostSides(result.quads.mesh),
       DescribeWorstQuad(result.quads.mesh, result.quads.quality) })
   {
     if (!warning.empty())

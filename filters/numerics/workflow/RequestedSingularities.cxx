@@ -40,9 +40,9 @@ AutomaticOptions OptionsFor(const PlanarDomain& domain, const ResolvedRequest& r
   const bool isFirstOnly =
     !request.layers.empty() || (!request.targets && !request.prescribed.empty());
   options.configurations = isFirstOnly ? 1 : Configurations;
-  if (request.sizing == Sizing::Field)
+  if (request.targets)
   {
-    RelativeSizes sizes = ComputeRelativeSizes(request.prescribedSizes, domain, request.meshSize);
+    RelativeSizes sizes = RelativeTo(*request.targets);
     options.optimizer.sizes.field = std::move(sizes.field);
     options.quadSize *= sizes.mean;
   }

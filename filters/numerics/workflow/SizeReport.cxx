@@ -94,6 +94,7 @@ double MedianOf(std::vector<double> values)
 void SizeTargets::Multiply(double by)
 {
   this->factor *= by;
+  this->mean *= by;
   this->length = [given = this->length, by](const Point& place) { return by * given(place); };
 }
 
@@ -251,7 +252,8 @@ std::string DescribeMissedSizes(const SizeReport& report)
     where = "where the smallest are requested, quads have " + FormatNumber(report.FineMedian(), 3) +
       " times the target size.";
   }
-  return "Sizes are met within 25 % on " + FormatNumber(100.0 * area, 2) + " % of the area, by " +
-    FormatNumber(100.0 * quads, 2) + " % of the quads; " + where;
+  const auto percent = [](double share) { return std::to_string(std::lround(100.0 * share)); };
+  return "Sizes are met within 25 % on " + percent(area) + " % of the area, by " + percent(quads) +
+    " % of the quads; " + where;
 }
 }

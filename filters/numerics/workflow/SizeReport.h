@@ -22,6 +22,7 @@ struct SizeSet
 struct SizeTargets
 {
   SizeFunction length; ///< Side length of quads.
+  double mean = 0.0;   ///< Side length of equal quads that would be as many (EquivalentSize).
   double factor = 1.0; ///< By which the requested sizes were multiplied for a number of quads.
   std::vector<SizeSet> sets; ///< Of which sizes were requested.
   std::string warning;       ///< If prescribed sizes grow faster than permitted.

@@ -447,9 +447,10 @@ ResolvedRequest WithSizeTargets(const PlanarDomain& domain, ResolvedRequest requ
   }
   const RequestedSizes sizes(domain, request);
   const auto [elsewhere, factor] = sizes.FindFactors();
-  const auto lengths =
-    std::make_shared<const P1Interpolation>(sizes.Mesh(), sizes.For(elsewhere, factor));
+  const Eigen::VectorXd atVertices = sizes.For(elsewhere, factor);
+  const auto lengths = std::make_shared<const P1Interpolation>(sizes.Mesh(), atVertices);
   SizeTargets targets;
+  targets.mean = EquivalentSize(sizes.Mesh(), atVertices);
   targets.length = [lengths](const Point& place) { return lengths->At(place); };
   targets.factor = request.sizing == Sizing::Field ? elsewhere : factor;
   for (const SizedSet& set : sizes.GetSets())
