@@ -34,7 +34,7 @@ SizeSearchOptions SearchOptions(const PlanarDomain& domain, const AutomaticOptio
   // The logarithm of a size and that of its multiples need the same singularities. The search uses the multiple by
   // a power of two with which sizes change on as many quads as it can resolve, so that meshes that are
   // refined by halving all sizes have the same singularities.
-  constexpr double MostQuads = 1600.0;
+  constexpr double MostQuads = 1000.0;
   const double requested = ResolveQuadSize(domain, options);
   const auto sizeFor = [&options](double quadSize) -> SizeFunction
   {

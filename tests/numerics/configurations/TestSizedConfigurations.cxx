@@ -3,6 +3,7 @@
 
 #include "SizedConfigurations.h"
 
+#include "AutomaticConfiguration.h"
 #include "MakePlanarDomain.h"
 #include "P1Interpolation.h"
 #include "PoincareHopf.h"
@@ -245,6 +246,47 @@ TEST(SizedConfigurations, HaveTheSymmetriesOfDomainAndSizes)
     symmetries.insert(one.symmetries);
   }
   EXPECT_EQ(*symmetries.rbegin(), 2U);
+}
+
+TEST(SizedConfigurations, AreTheSameWhenAllSizesAreHalved)
+{
+  const Example example = DiskFineInside();
+  AutomaticOptions options;
+  const double mean = std::sqrt(Pi / 677.0);
+  options.optimizer.sizes = { Sizing::Field,
+    [&](const Point& place) { return example.size(place) / mean; } };
+  Configuration first;
+  for (const double factor : { 1.0, 0.5, 0.25 })
+  {
+    options.quadSize = factor * mean;
+    const AutomaticConfiguration chosen = ChooseConfiguration(example.domain, options);
+    if (first.empty())
+    {
+      first = chosen.singularities;
+    }
+    ASSERT_EQ(chosen.singularities.size(), first.size());
+    for (std::size_t i = 0; i < first.size(); ++i)
+    {
+      EXPECT_EQ(chosen.singularities[i].position, first[i].position);
+      EXPECT_EQ(chosen.singularities[i].quarterIndex, first[i].quarterIndex);
+    }
+  }
+}
+
+TEST(SizedConfigurations, SmallPartsCount)
+{
+  // A hundredth of the area and a thirtieth of the quads.
+  const PlanarDomain plate =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 40.0, 0.0 }, { 40.0, 40.0 }, { 0.0, 40.0 } } });
+  const auto size = [](const Point& place)
+  { return Grown(0.05, (place - Point(20.0, 20.0)).norm() - 0.5, 1.25, 0.6); };
+  const std::vector<SizedConfiguration> found = SearchForSizes(plate, OptionsFor(size));
+  ASSERT_FALSE(found.empty());
+  EXPECT_GE(found.back().singularities.size(), 4U);
+  for (const Singularity& one : found.back().singularities)
+  {
+    EXPECT_LT((one.position - Point(20.0, 20.0)).norm(), 6.0);
+  }
 }
 
 TEST(SizedConfigurations, KeepGivenSingularities)
