@@ -2,6 +2,7 @@
 
 #include "GrowthLimit.h"
 
+#include "MakePlanarDomain.h"
 #include "PlanarTopology.h"
 #include "Support.h"
 

@@ -4,6 +4,7 @@
 #include "SizeTargets.h"
 
 #include "BuiltinDomains.h"
+#include "MakePlanarDomain.h"
 #include "QuadWorkflow.h"
 #include "SideRequests.h"
 #include "Support.h"
