@@ -17,6 +17,7 @@
 #include "PrescribedSides.h"
 #include "PrescribedSums.h"
 #include "QuadBuilder.h"
+#include "QuadSides.h"
 #include "QuadSymmetry.h"
 #include "Quantisation.h"
 #include "SidePlacement.h"
@@ -136,6 +137,7 @@ public:
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     this->PairNodes(result.mesh);
+    this->NameEdges(result.mesh);
     result.blocks = FindBlocks(result.mesh);
     result.layoutSeconds += stopwatch.Lap();
   }
@@ -153,6 +155,7 @@ public:
     result.smoothing =
       SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, this->Options.hold, progress);
     MakeSymmetricAndPeriodic(result.mesh, this->Curves, this->Domain, result.smoothing);
+    this->NameEdges(result.mesh);
     result.smoothSeconds += stopwatch.Lap();
     result.quality = MeasureQuads(result.mesh, result.size);
   }
@@ -205,6 +208,16 @@ private:
       sums.push_back(std::move(sum));
     }
     return sums;
+  }
+
+  /// Finds the sides and curves of boundary edges whose nodes have moved: only ends of sides are fixed, and a
+  /// side may have several curves.
+  void NameEdges(QuadMesh& mesh) const
+  {
+    if (!this->Options.curves.curves.empty())
+    {
+      NameBoundary(this->Options.sides, this->Curves, mesh);
+    }
   }
 
   /// Pairs the nodes of periodic sides and moves them to positions that match.

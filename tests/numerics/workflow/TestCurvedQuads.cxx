@@ -168,6 +168,46 @@ TEST(CurvedQuads, LayersAndCountsKeepNodesOnCurves)
   EXPECT_EQ(edges, 48);
 }
 
+TEST(CurvedQuads, EdgesThatArePlacedAnewAreOfTheCurveWhereTheyAre)
+{
+  // A side of two lines and the arc between them, with edges of one length.
+  Loop loop = { { 4.0, 0.0 }, { 4.0, 2.0 }, { 0.0, 2.0 } };
+  std::vector<std::string> names = { "right", "top" };
+  constexpr int Steps = 24;
+  Loop arc;
+  for (int i = 0; i <= Steps; ++i)
+  {
+    const double angle = Pi + 0.5 * Pi * i / Steps;
+    arc.push_back(Point(0.5, 0.5) + 0.5 * Point(std::cos(angle), std::sin(angle)));
+  }
+  loop.insert(loop.end(), arc.begin(), arc.end());
+  names.resize(loop.size(), "inside");
+  QuadRequest request;
+  const PlanarDomain plate = MakePlanarDomain({ loop });
+  request.sides = NameSides(plate, { names });
+  request.findsArcs = true;
+  request.quadSize = 0.2;
+  for (const double size : { 0.06, 0.1, 0.14 })
+  {
+    request.sideRequests = { SizeOf("inside", size) };
+    const QuadWorkflowResult result = MakeQuadMesh(plate, request);
+    int curved = 0;
+    for (const QuadBoundaryEdge& edge : result.quads.mesh.boundary)
+    {
+      const Point from = result.quads.mesh.points[Index(edge.points[0])].InPlane();
+      const Point to = result.quads.mesh.points[Index(edge.points[1])].InPlane();
+      double distance = std::numeric_limits<double>::infinity();
+      for (const Point& place : arc)
+      {
+        distance = std::min(distance, (0.5 * (from + to) - place).norm());
+      }
+      curved += edge.curve >= 0 ? 1 : 0;
+      EXPECT_TRUE(edge.curve < 0 || distance < 0.6 * (to - from).norm()) << Describe(from);
+    }
+    EXPECT_GE(curved, 4);
+  }
+}
+
 TEST(CurvedQuads, ACoarsePolygonGivesTheMeshOfAFineOne)
 {
   const auto circle = [](int count)
