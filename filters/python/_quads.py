@@ -247,7 +247,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
           sizes: Optional[Mapping[str, float]] = None, sizes_inside: Optional[Mapping[str, float]] = None,
           sizes_near: Optional[Sequence[Sequence[float]]] = None, min_size: Optional[float] = None,
-          max_size: Optional[float] = None, growth: Optional[float] = None, layers: Optional[Layers] = None, curves: Optional[Curves] = None,
+          max_size: Optional[float] = None, growth: Optional[float] = None,
+          layers: Optional[Layers] = None, curves: Optional[Curves] = None,
           periodic: Optional[Periodic] = None, order: int = 1) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 

@@ -20,8 +20,9 @@ struct CandidateSites
 /// Returns the symmetries of the curves of a domain, with at most twelve rotations.
 SymmetryGroup SearchedSymmetries(const PlanarDomain& domain);
 
-/// Returns sites about 1.6 target sizes apart and 1.3 from the boundary, among places of which those that come
-/// first have precedence, closed under symmetries: at most 900, farther apart where there would be more.
+/// Selects sites among places, the first ones with precedence, and adds their images under symmetries. They
+/// are at least 1.6 target sizes apart and 1.3 from the boundary. The maximum number is 900; if there were
+/// more, they are farther apart.
 CandidateSites FindSitesForSizes(const PlanarDomain& domain, const SymmetryGroup& symmetries,
   const std::vector<Point>& places, const SizeFunction& size);
 

@@ -14,7 +14,9 @@ double CountGradedQuads(const PlanarDomain& domain, const SizeFunction& size);
 /// sites (docs/method.md §5.11). With H the logarithm of the size of a field, s the target size,
 /// D = H − log s, and weights of the vertices that count half by area and half by quads,
 ///   w_v = ½ m_v / Σ m + ½ (m_v / s_v²) / Σ (m / s²),
-/// and at least a fifth where sizes change, its value is 10⁴ ½ |D − D̄|²_w + ε W + λ |δ|², with W for cores of the size s and δ the holonomy defects.
+/// and at least a fifth where sizes change, its value is
+///   10⁴ ½ |D − D̄|²_w + ε W + λ |δ|²,
+/// with W for cores of the size s and δ the holonomy defects.
 class SizeForm
 {
 public:

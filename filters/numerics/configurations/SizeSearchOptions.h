@@ -11,8 +11,8 @@ namespace crossfield
 /// What singularities are searched for (SizedConfigurations.h).
 struct SizeSearchOptions
 {
-  SizeFunction
-    size; ///< Target side length of quads, whose logarithm varies slowly from quad to quad.
+  /// Target side length of quads. Its logarithm varies slowly from quad to quad.
+  SizeFunction size;
   std::vector<CornerChoice> corners;
   double cornerAngle = DefaultCornerAngle;
   /// Whether singularities may be at a position; absent: anywhere 1.3 sizes from the boundary.

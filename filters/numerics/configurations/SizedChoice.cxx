@@ -20,7 +20,7 @@ AutomaticConfiguration ChoiceOf(const SizedConfiguration& found, const Automatic
   choice.corners = options.proposal.corners;
   choice.optimum.configuration = found.singularities;
   choice.optimum.sizeSpread = found.spread;
-  choice.optimum.converged = true;
+  choice.optimum.converged = true; // no move of the search lowers its objective
   choice.optimum.reason = "They were searched for the target sizes.";
   choice.events = { DescribeChoice(found.singularities) +
     " Start: search for the target sizes; the standard deviation of the logarithm of size over target size is " +
@@ -56,7 +56,7 @@ SizeSearchOptions SearchOptions(const PlanarDomain& domain, const AutomaticOptio
   search.given = options.proposal.given;
   search.size = sizeFor(quadSize);
   const ClearanceFactors& factors = options.optimizer.clearanceFactors;
-  if (!factors.empty()) // layers need room
+  if (!factors.empty()) // layers need rows without singularities
   {
     const double clearance = RequestedClearance(domain, options);
     search.isFree = [&domain, &factors, clearance](const Point& place)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -17,7 +18,7 @@ namespace
 /// small: otherwise no pair would pay, since at sites its defects do not vanish.
 constexpr double WeightOfDefects = 250.0;
 constexpr double WeightWhenRefined = 25000.0;
-/// Least distance of two singularities, in target sizes.
+/// Minimum distance of two singularities, in target sizes.
 constexpr double Apart = 1.6;
 constexpr double ApartWhenRefined = 1.2;
 
@@ -140,16 +141,6 @@ SizedConfiguration Refine(const PlanarDomain& domain, const SizeForm& form,
   }
   return result;
 }
-
-int CountNodes(const Configuration& configuration)
-{
-  int count = 0;
-  for (const Singularity& singularity : configuration)
-  {
-    count += std::abs(singularity.quarterIndex);
-  }
-  return count;
-}
 }
 
 double SpreadOfSizes(const PlanarDomain& domain, const SizeSearchOptions& options)
@@ -208,23 +199,25 @@ std::vector<SizedConfiguration> SearchForSizes(
     [](const Candidate& a, const Candidate& b)
     { return std::tie(a.nodes, a.spread) < std::tie(b.nodes, b.spread); });
   std::vector<SizedConfiguration> results;
+  int enough = std::numeric_limits<int>::max(); // number of nodes that suffices
   for (const Candidate& candidate : candidates)
   {
+    if (candidate.nodes > enough && options.given.empty())
+    {
+      break;
+    }
     progress.Report(0.7);
     std::vector<Isometry> kept;
     for (const std::size_t g : candidate.indices.kept)
     {
       kept.push_back(sites.elements[g]);
     }
-    SizedConfiguration refined = Refine(
-      domain, form, options, kept, ConfigurationOf(sites.positions, candidate.indices.indices));
-    const bool hasMore = !results.empty() &&
-      CountNodes(refined.singularities) > CountNodes(results.back().singularities);
-    if (options.given.empty() && hasMore && results.back().spread <= Enough)
+    results.push_back(Refine(
+      domain, form, options, kept, ConfigurationOf(sites.positions, candidate.indices.indices)));
+    if (results.back().spread <= Enough)
     {
-      break;
+      enough = candidate.nodes;
     }
-    results.push_back(std::move(refined));
   }
   for (SizedConfiguration& result : results)
   {

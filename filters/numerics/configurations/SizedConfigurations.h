@@ -23,10 +23,9 @@ double SpreadOfSizes(const PlanarDomain& domain, const SizeSearchOptions& option
 /// Searches the singularities whose field has target sizes s with few nodes (docs/method.md §5.11): minima of
 ///   10⁴ ½ |H − log s|² + ε W + γ Σ |k|
 /// over the quarter indices k at sites about 1.6 quads apart, for a descending cost γ of a node, whose
-/// positions are then refined to a fifth of a quad. Returns configurations with different numbers of
-/// nodes, that with the fewest first; those whose spread is not lower than that of one with fewer
-/// nodes are left out, and more nodes than those of the first with a spread of 0.15 are not tried. Returns
-/// none if the domain has no room for sites.
+/// positions are then refined to a fifth of a quad. Returns different configurations, sorted by their
+/// number of nodes. Unless singularities are given, none has more nodes than another one with a spread of
+/// at most 0.15. Returns none if no site is far enough from the boundary.
 std::vector<SizedConfiguration> SearchForSizes(
   const PlanarDomain& domain, const SizeSearchOptions& options, const Progress& progress = {});
 }

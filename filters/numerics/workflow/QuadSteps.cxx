@@ -137,8 +137,9 @@ void QuadSteps::AddPairs(const Progress& progress)
   }
   const std::size_t pairs = (added->singularities.size() - this->Result.singularities.size()) / 2;
   this->Result.singularities = added->singularities;
-  this->AddEvent(std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") +
-    " of singularities were added for the target sizes; the standard deviation of the logarithm of size "
+  this->AddEvent(std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of singularities " +
+    (pairs == 1 ? "was" : "were") +
+    " added for the target sizes; the standard deviation of the logarithm of size "
     "over target size is " +
     FormatShort(added->spread) + ".");
 }

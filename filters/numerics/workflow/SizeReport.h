@@ -24,7 +24,7 @@ struct SizeTargets
   SizeFunction length; ///< Side length of quads.
   double mean = 0.0;   ///< Side length of equal quads that would be as many (EquivalentSize).
   double factor = 1.0; ///< By which the requested sizes were multiplied for a number of quads.
-  std::vector<SizeSet> sets; ///< Of which sizes were requested.
+  std::vector<SizeSet> sets; ///< Parts of the domain with requested sizes.
   std::string warning;       ///< If prescribed sizes grow faster than permitted.
 
   /// Multiplies all sizes.
@@ -48,11 +48,11 @@ struct SizeReport
     double Median() const;      ///< 0 without quads.
   };
 
-  std::vector<Sample> samples; ///< Of quads outside of layers.
-  std::vector<Set> sets;       ///< Whose sizes were requested.
+  std::vector<Sample> samples; ///< One for each quad outside of layers.
+  std::vector<Set> sets;       ///< Parts of the domain with requested sizes.
   double factor = 1.0;         ///< SizeTargets::factor.
-  double largestJump =
-    1.0;              ///< Largest ratio of the sizes of quads with a common edge, also in layers.
+  /// Largest ratio of the sizes of quads with a common edge, also in layers.
+  double largestJump = 1.0;
   int nodesAdded = 0; ///< Singularities beyond those that are given or that the boundary requires.
 
   /// Returns the part of the area, and of the quads, whose size is within 25 % of the target.

@@ -38,7 +38,7 @@ struct SizedSet
   }
 };
 
-/// Returns the loops of which every segment belongs to a side.
+/// Returns the loops that belong to a side entirely.
 std::vector<std::size_t> LoopsOf(
   const std::vector<LoopArc>& arcs, const SidesAlong& along, int side)
 {
