@@ -163,6 +163,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetQuadCount(options.countIsGiven || !options.sides.HasSizes() ? options.quads : 0);
   SetSizing(options, mesher);
   mesher->SetSideNameArray(options.boundary.names);
+  mesher->SetMaterialArray(options.boundary.materials);
   options.sides.SetOn(mesher);
   mesher->SetMerge(options.merge);
   mesher->SetPrefer(options.prefer);
@@ -281,6 +282,7 @@ int Mesh(const QuadsOptions& options)
 void AddQuadsCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<QuadsOptions>();
+  options->boundary.materials.clear(); // Material or Region if the domain has it
   CLI::App* command = app.add_subcommand(
     "quads", "make an all-quad mesh with exactly the chosen irregular nodes, and its blocks");
   command->footer(
@@ -318,6 +320,12 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "cell array of the domain's lines, strings or integers, with the names of the sides of the "
       "boundary; default: Side if the domain has it, otherwise outer0, outer1, ..., hole0, ... between "
       "corners")
+    ->type_name("ARRAY");
+  command
+    ->add_option("--materials", options->boundary.materials,
+      "cell array of a mesh, strings or integers, with the materials of its cells: quads are made for each "
+      "material and meet at the nodes of the lines between them; none: one material; default: Material or "
+      "Region if the domain has it")
     ->type_name("ARRAY");
   options->sides.AddTo(*command);
   const std::vector<std::pair<std::string, int>> merges = { { "none", vtkQuadMesher::MergeNone },

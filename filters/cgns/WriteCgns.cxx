@@ -46,9 +46,7 @@ public:
     : Mesh(mesh)
     , File(file)
   {
-    const crossfield::MeshFaces faces(mesh);
-    faces.RequireNoInnerSides(".cgns");
-    this->Faces = FindBlockFaces(mesh, faces);
+    this->Faces = FindBlockFaces(mesh, crossfield::MeshFaces(mesh));
   }
 
   void Write()

@@ -47,12 +47,13 @@ class QuadMesh:
     edges            (b, 2) int, of the boundary, with the domain on the left
     quad_nodes       (q, (order + 1)²) int, all nodes of each quad in VTK's order, corners first
     edge_nodes       (b, order + 1) int, all nodes of each edge: both ends, then those between
-    boundary_kind    (b,) int: 1 outer loop, 2 inner loop
+    boundary_kind    (b,) int: 1 outer loop, 2 inner loop, 5 between two materials
     boundary_id      (b,) int: number of the loop
     edge_side        (b,) str: name of the side of the boundary that each edge belongs to
     valence          (n,) int, quads at each point
     irregular        (n,) int, quarter index of a singularity or corner, else 0
     block            (q,) int, the block of each quad
+    region           (q,) int, the material of each quad, its value or number in report["regions"]; zeros without materials
     scaled_jacobian  (q,) float, minimum sine of the angles of each quad, negative where it is inverted
     blocks           list of (i, j, 3) float, the points of each block, right-handed
     layout           list of (m, 3) float, a polyline for each side of a block
@@ -82,6 +83,7 @@ class QuadMesh:
     layout_data: vtkPolyData
     quad_nodes: np.ndarray
     edge_nodes: np.ndarray
+    region: np.ndarray
 
     def __repr__(self) -> str:
         return "<QuadMesh: %d quads in %d blocks, minimum scaled Jacobian %.2f>" % (
@@ -233,7 +235,8 @@ def _mesh_of(pipeline: Pipeline, mesher: vtkQuadMesher, was_chosen: bool, order:
         layout=chains(places(layout), layout.GetLines()), singularities=used,
         report=report_of("quads", grid, mesher.GetStageSeconds(),
                          singularities=used.data if was_chosen or used.events else None),
-        grid=grid, block_data=blocks, layout_data=layout, quad_nodes=quad_nodes, edge_nodes=edge_nodes)
+        grid=grid, block_data=blocks, layout_data=layout, quad_nodes=quad_nodes, edge_nodes=edge_nodes,
+        region=of(quads, names.Region) if grid.GetCellData().HasArray(names.Region) else np.zeros(len(quad_nodes), int))
 
 
 @checks_arguments
@@ -244,6 +247,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           prefer: Optional[str] = None, alternative: int = 0,
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
+          materials: Optional[str] = None,
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
           sizes: Optional[Mapping[str, float]] = None, sizes_inside: Optional[Mapping[str, float]] = None,
           sizes_near: Optional[Sequence[Sequence[float]]] = None, min_size: Optional[float] = None,
@@ -289,6 +293,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    where they make sizes more uniform
     names          name of the cell array of the domain's lines with the names of the boundary's sides; default:
                    "Side" if the domain has it, otherwise "outer0", "outer1", ..., "hole0", ... between corners
+    materials      name of the cell array of a mesh with the materials of its cells, strings or integers: quads are made
+                   for each material and meet at the nodes between them, sides of the name "steel+copper", and
+                   report["regions"] has each region; "none": one material; default: "Material" or "Region" if the
+                   domain has it
     counts         number of edges by the name of a side
     progressions   last edge over the first by the name of a side, with the domain on the left; or the lengths
                    (first, last); or ("both", ratio), ("both", first, middle) towards both ends
@@ -360,6 +368,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetSideNameArray(names or "")
+    mesher.SetMaterialArray(materials or "")
     for side, edges in dictionary(counts or {}, "argument counts", "{'wall': 40}").items():
         mesher.AddSide(side, str(whole(edges, "count of '%s'" % side)), "", "")
     for side, progression in dictionary(progressions or {}, "argument progressions", "{'wall': 2.0}").items():

@@ -261,7 +261,15 @@ int vtkBoundarySimplifier::RequestData(
         PartSelection::Select(whole, this->Part, this->SideNameArray);
       vtkDataSet* input = part;
       const crossfield::CurveRequest request = SideText::ReadCurves(this->Curves);
-      if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr ||
+      const bool hasMaterials = !MaterialCheck::FindArray(input, this->MaterialArray).empty();
+      if (hasMaterials && isRequested)
+      {
+        throw crossfield::Error(
+          "The boundary of a domain of several materials is not simplified yet; leave the lengths "
+          "of thinning and smoothing out (--thin-boundary, --smooth-boundary), or the materials "
+          "(--materials none).");
+      }
+      if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr || hasMaterials ||
         (!isRequested &&
           ((this->ThinningLength == 0.0 && request.IsEmpty()) || HasSurfaceWithArrays(input) ||
             !CanHaveLines(input))))
@@ -350,6 +358,7 @@ void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
+  os << indent << "MaterialArray: " << this->MaterialArray << "\n";
   os << indent << "SideSizes: " << this->SideSizes.size() << "\n";
   os << indent << "KeptSides: " << this->KeptSides.size() << "\n";
   os << indent << "Curves: " << this->Curves << "\n";

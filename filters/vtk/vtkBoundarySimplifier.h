@@ -93,6 +93,17 @@ public:
 
   ///@{
   /**
+   * Sets the cell array with the materials of the domain, as for vtkQuadMesher. A domain of several
+   * materials is passed on as it is.
+   */
+  vtkSetMacro(MaterialArray, std::string);
+  vtkGetMacro(MaterialArray, std::string);
+  ///@}
+  /** Sets the name of the array of materials; overload for ParaView. */
+  void SetMaterialArray(const char* name) { this->SetMaterialArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
    * Sets the cell array with the names of the domain's sides, as for vtkQuadMesher. The boundary is
    * kept at points where the name changes. Default: none, `Side` if the domain has that array.
    */
@@ -153,6 +164,7 @@ private:
   double SmoothingLength = 0.0;
   double CornerAngle = 30.0;
   std::string SideNameArray;
+  std::string MaterialArray;
   std::vector<std::pair<std::string, double>> SideSizes;
   std::vector<std::string> KeptSides;
   std::string Curves;

@@ -10,6 +10,17 @@ namespace vtkCrossFieldArrayNames
 // Drilled mesh, cells: vtkDrillHoles.
 constexpr const char* BoundaryKind = "BoundaryKind";
 constexpr const char* BoundaryId = "BoundaryId";
+// Materials of a domain and of its quads, cells: vtkQuadMesher.
+constexpr const char* Material = "Material";
+constexpr const char* Region = "Region";
+constexpr const char* MaterialName = "MaterialName";
+constexpr const char* MaterialValue = "MaterialValue";
+constexpr const char* RegionName = "RegionName";
+constexpr const char* RegionLeft = "RegionLeft";
+constexpr const char* RegionRight = "RegionRight";
+constexpr const char* RegionQuads = "RegionQuads";
+constexpr const char* RegionRequiredInteriorQuarters = "RegionRequiredInteriorQuarters";
+constexpr const char* RegionGivenInteriorQuarters = "RegionGivenInteriorQuarters";
 // Singularities and corners, points; drilled mesh, cells.
 constexpr const char* QuarterIndex = "QuarterIndex";
 constexpr const char* Radius = "Radius";

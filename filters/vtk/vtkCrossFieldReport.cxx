@@ -260,6 +260,9 @@ public:
     this->Add(
       { names::IntegerVariables, names::IntegerOptimal, names::IntegerGap }, "integers", "Integer");
     this->AddColumns("attempts", "Attempts", { { "", names::Attempts, { "what", "outcome" } } });
+    this->AddColumns("regions", "Region",
+      { names::RegionName, names::RegionQuads, names::RegionRequiredInteriorQuarters,
+        names::RegionGivenInteriorQuarters });
     this->AddColumns("alternatives", "Alternative",
       { names::AlternativeNodes, names::AlternativeBlocks, names::AlternativeScaledJacobian,
         names::AlternativeSizeVariation });

@@ -90,6 +90,15 @@ int vtkDrawingReader::RequestData(
       crossfield::KeepLayers(layers, drawing);
       constexpr double ReadShare = 0.5;
       progress.Report(ReadShare);
+      if (!drawing.faces.empty())
+      {
+        for (const std::string& warning : drawing.warnings)
+        {
+          vtkWarningMacro(<< warning);
+        }
+        DrawingConversion::WriteFaces(drawing, vtkPolyData::GetData(outputVector));
+        return;
+      }
       const crossfield::DrawingOutline outline = crossfield::TraceOutline(
         drawing, this->JoinTolerance, this->SamplingAngle * crossfield::Pi / 180.0);
       DrawingConversion::WriteOutline(drawing, outline, vtkPolyData::GetData(outputVector));

@@ -15,6 +15,8 @@
 #include "QuadBoundary.h"
 #include "QuadConversion.h"
 #include "QuadReport.h"
+#include "RegionConversion.h"
+#include "RegionQuads.h"
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SideText.h"
@@ -34,6 +36,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 vtkStandardNewMacro(vtkQuadMesher);
 
@@ -84,10 +87,17 @@ int vtkQuadMesher::RequestData(
     this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const std::vector<DomainConversion::Domain> input = DomainConversion::ReadParts(domain, this);
+      const std::string materialArray = MaterialCheck::FindArray(domain, this->MaterialArray);
+      std::optional<RegionConversion::Regions> regions;
+      if (!materialArray.empty())
+      {
+        regions = RegionConversion::Read(domain, materialArray);
+      }
+      const std::vector<DomainConversion::Domain> input =
+        regions ? regions->Domains() : DomainConversion::ReadParts(domain, this);
       const crossfield::DomainPlane& plane = input[0].plane;
-      const std::vector<crossfield::BoundarySides> sides =
-        SideConversion::ReadSides(domain, this->SideNameArray, input);
+      const std::vector<crossfield::BoundarySides> sides = SideConversion::ReadSides(
+        domain, this->SideNameArray, input, regions ? &regions->set : nullptr);
       std::vector<crossfield::DomainPart> parts;
       for (std::size_t p = 0; p < input.size(); ++p)
       {
@@ -96,10 +106,11 @@ int vtkQuadMesher::RequestData(
       }
       crossfield::QuadRequest request = this->MakeRequest(domain, singularities, corners, plane);
       this->PrescribeSides(vtkTable::GetData(inputVector[SidePort]), plane, request);
-      crossfield::QuadWorkflowResult result =
-        crossfield::MakeQuadsOfParts(parts, request, progress);
-      const std::string materials = MaterialCheck::Warning(domain);
-      if (!materials.empty())
+      crossfield::QuadWorkflowResult result = regions
+        ? crossfield::MakeQuadsOfRegions(regions->set, parts, request, progress)
+        : crossfield::MakeQuadsOfParts(parts, request, progress);
+      const std::string materials = regions ? std::string() : MaterialCheck::Warning(domain);
+      if (!materials.empty() && this->MaterialArray.empty())
       {
         result.warnings.push_back(materials);
       }
@@ -108,6 +119,13 @@ int vtkQuadMesher::RequestData(
         vtkWarningMacro(<< warning);
       }
       this->WriteOutputs(result, plane, outputVector);
+      if (regions)
+      {
+        RegionConversion::Write(*regions, result, vtkUnstructuredGrid::GetData(outputVector, 0),
+          vtkMultiBlockDataSet::GetData(outputVector, 1),
+          vtkPolyData::GetData(outputVector, BoundaryPort),
+          vtkTable::GetData(outputVector, SummaryPort)->GetFieldData());
+      }
     },
     [&](const char* message)
     {
@@ -358,6 +376,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
+  os << indent << "MaterialArray: " << this->MaterialArray << "\n";
   os << indent << "Sides: " << this->Sides.size() << "\n";
   os << indent << "SizesInside: " << this->SizesInside.size() << "\n";
   os << indent << "SizesNear: " << this->SizesNear.size() << "\n";

@@ -212,6 +212,20 @@ public:
 
   ///@{
   /**
+   * Sets the cell array, of strings or integers, with the materials of the domain's surface cells. With
+   * several of them, quads are made for each connected region of one material, with singularities and
+   * corners of its own, and are one conforming mesh. Sides between two materials are called by both,
+   * such as `steel+copper`, with a number if there are several. `none`: the domain is one region.
+   * Default: empty, `Material` or `Region` if the domain has that array.
+   */
+  vtkSetMacro(MaterialArray, std::string);
+  vtkGetMacro(MaterialArray, std::string);
+  ///@}
+  /** Sets the name of the array of materials; overload for ParaView. */
+  void SetMaterialArray(const char* name) { this->SetMaterialArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
    * Sets the cell array, of strings or integers, with the names of the domain's sides: of its lines,
    * or, beside surface cells, of lines along their boundary. Lines of equal names are one side.
    * Segments without a name are split at corners into `outer0`, `outer1`, ..., `hole0`, ... Quads
@@ -513,6 +527,7 @@ private:
   int Sizing = SizingAutomatic;
   std::string SizeArray;
   std::string SideNameArray;
+  std::string MaterialArray;
   std::vector<std::array<std::string, 4>> Sides;
   std::vector<std::array<std::string, 2>> SizesInside;
   std::vector<std::array<double, 5>> SizesNear; ///< Position, size and radius.

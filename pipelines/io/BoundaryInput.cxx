@@ -103,6 +103,7 @@ vtkSmartPointer<vtkAlgorithm> Open(
   simplifier->SetThinningLength(options.thinning);
   simplifier->SetSmoothingLength(options.smoothing);
   simplifier->SetSideNameArray(options.names);
+  simplifier->SetMaterialArray(options.materials);
   simplifier->SetCurves(options.curves);
   for (const auto& [side, length] : options.sizes)
   {

@@ -22,6 +22,7 @@ struct BoundaryOptions
   double smoothing = 0.0;                            ///< SmoothingLength of vtkBoundarySimplifier.
   double joinTolerance = 0.0;                        ///< JoinTolerance of vtkDrawingReader.
   std::string names;                                 ///< SideNameArray of vtkBoundarySimplifier.
+  std::string materials = "none";                    ///< MaterialArray of vtkBoundarySimplifier.
   std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.
   std::vector<std::string> kept;                     ///< AddKeptSide of vtkBoundarySimplifier.
   std::string curves;                                ///< Curves of vtkBoundarySimplifier.

@@ -12,6 +12,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace names = vtkCrossFieldArrayNames;
@@ -36,6 +37,25 @@ void PrintCurves(vtkFieldData* report)
               << ": minimum over maximum of det J at least " << ratio->GetTuple1(0) << ", "
               << report->GetArray(names::CurvedInverted)->GetTuple1(0) << " inverted\n";
   }
+}
+
+/** Prints a line about materials. */
+void PrintMaterials(vtkFieldData* report)
+{
+  auto* materials = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::MaterialName));
+  vtkAbstractArray* regions = report->GetAbstractArray(names::RegionName);
+  if (materials == nullptr || regions == nullptr)
+  {
+    return;
+  }
+  std::cout << regions->GetNumberOfTuples() << " regions of " << materials->GetNumberOfValues()
+            << " materials";
+  constexpr vtkIdType Listed = 10;
+  for (vtkIdType i = 0; i < std::min(Listed, materials->GetNumberOfValues()); ++i)
+  {
+    std::cout << (i == 0 ? ": " : ", ") << materials->GetValue(i);
+  }
+  std::cout << (materials->GetNumberOfValues() > Listed ? ", ...\n" : "\n");
 }
 
 /** Prints a line for each boundary layer. */
@@ -86,6 +106,7 @@ namespace QuadsOutput
 {
 void Print(vtkUnstructuredGrid* quads)
 {
+  PrintMaterials(quads->GetFieldData());
   vtkNew<vtkCrossFieldReport> report;
   report->SetSource("data", quads);
   const double parts = FieldValue(quads, names::Parts);

@@ -340,7 +340,7 @@ BoundarySides AsSides(const CurvedBoundary& boundary)
   BoundarySides sides;
   for (const CurveStart& start : boundary.starts)
   {
-    sides.starts.push_back({ start.place, start.curve, false });
+    sides.starts.push_back({ start.place, start.curve, false, start.loop });
   }
   return sides;
 }

@@ -25,6 +25,7 @@ struct CurveStart
 {
   Point place = Point::Zero();
   int curve = -1;
+  int loop = -1; ///< As in SideStart.
 };
 
 /// Curves and where the boundary follows them.

@@ -227,6 +227,7 @@ std::vector<PairedSides> FindPairedSides(const PlanarDomain& domain, const Bound
         FormatNumber(search.Worst, 2) +
         " beside the other side; make both sides congruent, or leave the pair out.");
     }
+    pair.name = "The periodic pair " + names[0] + ":" + names[1];
     found.push_back(pair);
   }
   return found;

@@ -10,12 +10,16 @@
 namespace crossfield
 {
 /// Two sides that are images of each other, with the domain on opposite sides of them: the second,
-/// followed backwards, is the image of the first.
+/// followed backwards, is the image of the first. They are periodic sides, or both sides of an interface,
+/// whose motion is the identity.
 struct PairedSides
 {
   int first = 0; ///< Index in BoundarySides::names.
   int second = 0;
-  RigidMotion motion; ///< Takes the first to the second.
+  std::string name;         ///< What it is, for messages.
+  RigidMotion motion;       ///< Takes the first to the second.
+  bool isClosed = false;    ///< Both are whole loops, and any nodes may be the first ones.
+  bool isInterface = false; ///< Its nodes become one in the mesh of all regions (WeldRegions.h).
   /// Nodes of a mesh in order from the ends of the sides: one of the first side, and its image.
   std::vector<std::array<int, 2>> nodes;
 };

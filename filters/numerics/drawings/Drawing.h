@@ -28,10 +28,19 @@ struct DrawingPiece
   std::string origin; ///< What the piece is in its file, for messages: "the ARC of line 12".
 };
 
+/// A polygon of a mesh with its material.
+struct DrawingFace
+{
+  std::vector<Point> points;
+  std::string material;
+};
+
 /// Contents of a drawing that a boundary can consist of.
 struct Drawing
 {
   std::vector<DrawingPiece> pieces;
+  /// The faces of a mesh, if they have several materials; `pieces` then has its lines inside as well.
+  std::vector<DrawingFace> faces;
   std::string unit; ///< Unit of the coordinates, such as "mm"; empty if the file has none.
   std::vector<std::string> warnings; ///< One sentence each.
   DomainPlane plane;                 ///< Of the coordinates.

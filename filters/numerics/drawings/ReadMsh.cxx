@@ -26,6 +26,13 @@ struct Edge
   int group = 0; ///< Physical group of its line, 0 if there is none.
 };
 
+/// A triangle or quadrilateral.
+struct Face
+{
+  std::vector<std::size_t> nodes; ///< Tags of the nodes around it.
+  int group = 0;                  ///< Physical group, 0 if there is none.
+};
+
 class MshReader
 {
 public:
@@ -267,9 +274,10 @@ private:
       nodes.push_back(this->Stream.Count());
     }
     this->HasFaces = this->HasFaces || shape.dimension == 2;
-    if (shape.dimension == 2 && group != 0)
+    if (shape.dimension == 2)
     {
       this->UsedSurfaces.insert(group);
+      this->Faces.push_back({ {}, group });
     }
     if (shape.dimension == 0)
     {
@@ -277,6 +285,11 @@ private:
     }
     for (std::vector<std::size_t>& along : MshEdges(shape, nodes))
     {
+      if (shape.dimension == 2)
+      {
+        std::vector<std::size_t>& outline = this->Faces.back().nodes;
+        outline.insert(outline.end(), along.begin(), along.end() - 1);
+      }
       const auto ends = std::minmax(along.front(), along.back());
       const auto [found, isNew] = this->IndexOf.emplace(ends, this->Edges.size());
       if (isNew)
@@ -307,6 +320,8 @@ private:
     return group == 0 ? "" : found == this->Names.end() ? std::to_string(group) : found->second;
   }
 
+  bool HasMaterials() const { return this->UsedSurfaces.size() > 1; }
+
   Drawing Finish() const
   {
     std::vector<const Edge*> used;
@@ -314,7 +329,8 @@ private:
     std::size_t inside = 0;
     for (const Edge& edge : this->Edges)
     {
-      if (this->HasFaces && edge.faces != 1)
+      const bool isInside = this->HasFaces && edge.faces != 1;
+      if (isInside && !(edge.isLine && this->HasMaterials()))
       {
         inside += edge.isLine ? 1 : 0;
         continue;
@@ -347,30 +363,25 @@ private:
                      : " lines of the mesh inside the domain were") +
         " left out.");
     }
-    this->WarnOfSurfaces(drawing);
+    if (this->HasMaterials())
+    {
+      this->AddFaces(drawing);
+    }
     return drawing;
   }
 
-  /// Warns if the faces have several physical groups, which a drawing does not keep.
-  void WarnOfSurfaces(Drawing& drawing) const
+  /// Adds the faces with their materials, if they have several.
+  void AddFaces(Drawing& drawing) const
   {
-    constexpr std::size_t Listed = 5;
-    std::string list;
-    std::size_t count = 0;
-    for (const int group : this->UsedSurfaces)
+    for (const Face& face : this->Faces)
     {
-      const auto found = this->SurfaceNames.find(group);
-      if (++count <= Listed)
+      const auto name = this->SurfaceNames.find(face.group);
+      drawing.faces.push_back(
+        { {}, name == this->SurfaceNames.end() ? std::to_string(face.group) : name->second });
+      for (const std::size_t node : face.nodes)
       {
-        list += (count == 1 ? "" : ", ") +
-          (found == this->SurfaceNames.end() ? std::to_string(group) : "'" + found->second + "'");
+        drawing.faces.back().points.push_back(drawing.plane.ToPlane(this->PlaceOf(node)));
       }
-    }
-    if (count > 1)
-    {
-      drawing.warnings.push_back("The mesh has " + std::to_string(count) + " physical surfaces (" +
-        list + (count > Listed ? ", ..." : "") +
-        "), but the domain is meshed as one, without lines between them; to mesh one of them, give its elements only.");
     }
   }
 
@@ -395,7 +406,8 @@ private:
   bool HasFaces = false;
   std::map<int, std::string> Names;
   std::map<int, std::string> SurfaceNames;
-  std::set<int> UsedSurfaces;
+  std::vector<Face> Faces;
+  std::set<int> UsedSurfaces; ///< Physical groups of faces, 0 for none.
   std::map<int, int> GroupOfCurve;
   std::map<int, int> GroupOfSurface;
   std::unordered_map<std::size_t, Eigen::Vector3d> NodeAt;

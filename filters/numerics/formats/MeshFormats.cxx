@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "FoamCase.h"
 #include "MeshBlocks.h"
+#include "MeshFaces.h"
 #include "WriteExodus.h"
 #include "WriteFoam.h"
 #include "WriteInp.h"
@@ -114,6 +115,10 @@ void PrepareMesh(SolverMesh& mesh, MeshFormat format)
   }
   if (format == MeshFormat::Plot3d || format == MeshFormat::Cgns)
   {
+    if (mesh.regionNames.size() > 1)
+    {
+      RemoveInnerSides(mesh); // these formats have sides on the boundary only
+    }
     RequireBlocks(mesh, Limits.at(format).name);
     OrientBlocks(mesh);
   }

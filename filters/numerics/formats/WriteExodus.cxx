@@ -139,7 +139,6 @@ std::string WriteExodus(const SolverMesh& mesh)
     }
   }
   const MeshFaces faces(mesh);
-  faces.RequireNoInnerSides(".ex2");
   const bool isPlane = mesh.dimension == 2 && mesh.HasConstantHeight();
   const int dimension = isPlane ? 2 : 3;
   const ElementKind kind = KindOf(mesh, isPlane);

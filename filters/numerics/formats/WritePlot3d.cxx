@@ -75,7 +75,6 @@ std::string WritePlot3d(const SolverMesh& mesh)
 std::string WriteNmf(const SolverMesh& mesh)
 {
   const MeshFaces ofMesh(mesh);
-  ofMesh.RequireNoInnerSides(".xyz");
   const BlockFaces faces = FindBlockFaces(mesh, ofMesh);
   MeshText text;
   text.Add("# Neutral map file\n# Block IDIM JDIM KDIM\n");

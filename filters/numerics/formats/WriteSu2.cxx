@@ -16,7 +16,7 @@ constexpr int Quad = 9;
 constexpr int Hexahedron = 12;
 constexpr int Wedge = 13;
 
-void RequirePossible(const SolverMesh& mesh, const MeshFaces& faces)
+void RequirePossible(const SolverMesh& mesh)
 {
   if (mesh.dimension == 2 && !mesh.HasConstantHeight())
   {
@@ -30,14 +30,13 @@ void RequirePossible(const SolverMesh& mesh, const MeshFaces& faces)
       std::to_string(mesh.regionNames.size()) +
       "; write each to a file of its own, or a .msh file.");
   }
-  faces.RequireNoInnerSides(".su2");
 }
 }
 
 std::string WriteSu2(const SolverMesh& mesh)
 {
   const MeshFaces faces(mesh);
-  RequirePossible(mesh, faces);
+  RequirePossible(mesh);
   const ElementNodes numbering(mesh, NodeOrder::Vtk, 0);
   MeshText text;
   const auto addElement = [&text](int type, const std::vector<int>& nodes)

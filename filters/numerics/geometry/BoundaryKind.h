@@ -9,6 +9,7 @@ enum class BoundaryKind
   Outer = 1,
   Inner = 2,
   Hole = 3,
-  ImprintedCircle = 4
+  ImprintedCircle = 4,
+  Interface = 5 ///< Of quads: between two regions.
 };
 }

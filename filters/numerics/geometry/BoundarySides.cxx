@@ -199,7 +199,9 @@ SidesAlong::SidesAlong(const BoundarySides& sides, const std::vector<LoopArc>& l
     std::size_t nearest = 0;
     double at = 0.0;
     double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t l = 0; l < loops.size(); ++l)
+    const std::size_t first = start.loop < 0 ? 0 : static_cast<std::size_t>(start.loop);
+    const std::size_t end = start.loop < 0 ? loops.size() : first + 1;
+    for (std::size_t l = first; l < end; ++l)
     {
       const double candidate = loops[l].Nearest(start.place);
       const double distance = (loops[l].At(candidate) - start.place).norm();

@@ -17,6 +17,7 @@ struct SideStart
   /// Whether the quads have a node exactly here. Not set at corners, which have one if quads are
   /// small enough, and where a whole loop is one piece.
   bool isFixed = false;
+  int loop = -1; ///< Its loop, where several lead through the place; −1: the nearest one.
 };
 
 /// The sides of a domain: every point of its boundary belongs to one side, which has a name and
@@ -49,7 +50,7 @@ using SegmentNames = std::vector<std::vector<std::string>>;
 BoundarySides NameSides(const PlanarDomain& domain, const SegmentNames& names = {},
   const std::vector<std::string>& taken = {});
 
-/// A SideStart on a given loop.
+/// A start of a side on a loop.
 struct LoopSide
 {
   double at = 0.0; ///< Arc length.
@@ -57,8 +58,8 @@ struct LoopSide
   bool isFixed = false;
 };
 
-/// The sides along loops. Each start is located at the nearest point of all loops; with the loops
-/// of the domain or of its mesh this is a vertex at exactly that place.
+/// The sides along loops. Each start is located at the nearest point of its loop, or of all loops; with
+/// the loops of the domain or of its mesh this is a vertex at exactly that place.
 class SidesAlong
 {
 public:

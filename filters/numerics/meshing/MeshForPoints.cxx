@@ -5,6 +5,7 @@
 #include "ConfigurationSymmetry.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
+#include "LoopArc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,25 @@ DrillOptions RefineAt(
   }
   return options;
 }
+
+/// Returns those of given vertices that are on straight sides, which symmetries of a domain ignore.
+std::vector<Point> OnStraightSides(const PlanarDomain& domain, const std::vector<Point>& vertices)
+{
+  std::vector<Point> straight;
+  for (const Loop& loop : domain.loops)
+  {
+    const std::vector<double> turns = LoopArc(loop).Turns();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      if (std::abs(turns[i]) <= AngleRounding &&
+        std::find(vertices.begin(), vertices.end(), loop[i]) != vertices.end())
+      {
+        straight.push_back(loop[i]);
+      }
+    }
+  }
+  return straight;
+}
 }
 
 TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
@@ -65,12 +85,23 @@ TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& conf
 }
 
 TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& configuration,
-  double meshSize, const Progress& progress, double refinement)
+  double meshSize, const Progress& progress, double refinement, const std::vector<Point>& kept)
 {
   DrillOptions options = RefineAt({ configuration }, domain, meshSize);
   options.refinement = refinement;
+  const double reach = SymmetryReach * domain.Diagonal();
+  const std::vector<Point> straight = OnStraightSides(domain, kept);
+  const auto keepsStraight = [&](const Isometry& symmetry)
+  {
+    return std::all_of(straight.begin(), straight.end(),
+      [&](const Point& point)
+      {
+        return std::any_of(straight.begin(), straight.end(),
+          [&](const Point& other) { return (symmetry(point) - other).norm() <= reach; });
+      });
+  };
   options.symmetries =
-    MatchSymmetry(configuration, FindSymmetries(domain), SymmetryReach * domain.Diagonal()).group;
+    MatchSymmetry(configuration, FindSymmetries(domain), reach, keepsStraight).group;
   for (const Singularity& singularity : configuration)
   {
     // Singularities on the boundary become vertices of it; SolveSeamlessMap refuses those outside.

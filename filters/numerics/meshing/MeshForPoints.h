@@ -23,7 +23,10 @@ TriangleMesh MeshForConfigurations(const PlanarDomain& domain,
 
 /// Works as MeshForPoints with a vertex at each singularity, as SolveSeamlessMap requires.
 /// `refinement` divides all edge lengths. If reflections are among the symmetries of the domain
-/// with the singularities, the mesh has these symmetries (DrillOptions::symmetries).
+/// with the singularities, the mesh has these symmetries (DrillOptions::symmetries). Without such
+/// symmetries it has all vertices of the domain; with them, vertices on straight sides may be missing,
+/// but for those of `kept`.
 TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& configuration,
-  double meshSize = 0.0, const Progress& progress = {}, double refinement = 1.0);
+  double meshSize = 0.0, const Progress& progress = {}, double refinement = 1.0,
+  const std::vector<Point>& kept = {});
 }

@@ -40,6 +40,20 @@ public:
         this->Walls[side] = true;
       }
     }
+    for (std::size_t side = 0; side < this->Twins.size(); ++side)
+    {
+      const int twin = this->Twins[side];
+      const auto end = Index(this->EndOf(static_cast<int>(side)));
+      if (twin >= 0 && regions[side / 4] != regions[twin / 4] && this->Inside[end] &&
+        this->Regular[end] && !this->Walls[this->Straight(static_cast<int>(side))])
+      {
+        this->Turning.push_back(end);
+      }
+    }
+    for (const std::size_t point : this->Turning)
+    {
+      this->Regular[point] = false;
+    }
   }
 
   QuadBlocks Cut()
@@ -74,6 +88,8 @@ private:
   int StartOf(int side) const { return this->Mesh.quads[side / 4][side % 4]; }
   int EndOf(int side) const { return this->Mesh.quads[side / 4][(side + 1) % 4]; }
   static int Next(int side) { return side / 4 * 4 + (side + 1) % 4; }
+  /// Returns the side that leads on straight from the end of one, which is a regular point inside.
+  int Straight(int side) const { return Next(this->Twins[Next(side)]); }
 
   /// Marks walls from a side on, straight through regular points, up to another wall along the
   /// line.
@@ -88,7 +104,7 @@ private:
       {
         return;
       }
-      side = Next(this->Twins[Next(side)]);
+      side = this->Straight(side);
     }
   }
 
@@ -217,6 +233,7 @@ private:
   std::vector<bool> Walls;
   std::vector<bool> Regular;
   std::vector<bool> Inside;
+  std::vector<std::size_t> Turning; ///< Regular points where lines between regions turn or end.
   std::vector<int> Turns; ///< Per quad: its side 0 is side `turn` of its cell in the block.
 };
 }

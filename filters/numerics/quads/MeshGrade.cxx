@@ -35,7 +35,7 @@ double AreaError(const QuadResult& quads)
   for (const QuadBoundaryEdge& edge : quads.mesh.boundary)
   {
     const auto at = [&](std::size_t end) { return quads.mesh.points[edge.points[end]].InPlane(); };
-    area += 0.5 * Cross(at(0), at(1));
+    area += edge.kind == BoundaryKind::Interface ? 0.0 : 0.5 * Cross(at(0), at(1));
   }
   const double whole = AreaOf(quads.tMesh);
   return whole > 0.0 ? std::abs(area / whole - 1.0) : 0.0;

@@ -55,6 +55,8 @@ public:
     , Options(options)
     , Result(result)
     , Curves(curves)
+    , HasInterfaces(std::any_of(
+        pairs.begin(), pairs.end(), [](const PairedSides& pair) { return pair.isInterface; }))
     , Domain{ RequirePlanar(map.topology)->AlignedLoops() }
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
@@ -75,7 +77,7 @@ public:
     const bool isField = this->Options.sizes.sizing == Sizing::Field;
     for (std::size_t i = 0; i < lists.size(); ++i)
     {
-      this->Balances = isField;
+      this->Balances = isField || this->HasInterfaces;
       this->Orbits = this->FindOrbits(lists[i]);
       if (this->Orbits->CountSymmetries() == 1 && i + 1 < lists.size())
       {
@@ -154,7 +156,14 @@ public:
       isConformal ? std::nullopt : std::optional<double>(this->Options.sizePart);
     result.smoothing =
       SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, this->Options.hold, progress);
-    MakeSymmetricAndPeriodic(result.mesh, this->Curves, this->Domain, result.smoothing);
+    if (this->HasInterfaces)
+    {
+      MatchPairs(this->Curves, result.mesh);
+    }
+    else
+    {
+      MakeSymmetricAndPeriodic(result.mesh, this->Curves, this->Domain, result.smoothing);
+    }
     this->NameEdges(result.mesh);
     result.smoothSeconds += stopwatch.Lap();
     result.quality = MeasureQuads(result.mesh, result.size);
@@ -284,6 +293,10 @@ private:
   /// reflections, and none.
   std::vector<std::vector<Isometry>> SymmetriesToTry() const
   {
+    if (this->HasInterfaces)
+    {
+      return { {} }; // nodes on both sides of an interface have the same place
+    }
     std::vector<std::vector<Isometry>> lists = { FindSymmetries(this->Domain).Elements() };
     if (lists[0].size() == 1)
     {
@@ -453,6 +466,7 @@ private:
   const QuadOptions& Options;
   QuadResult& Result;
   const MeshBoundary& Curves;
+  const bool HasInterfaces;
   const PlanarDomain Domain;
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;

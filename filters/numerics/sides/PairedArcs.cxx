@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace crossfield
 {
@@ -116,7 +117,10 @@ void SplitAtPairs(const SeamlessMap& map, const MeshBoundary& curves, const Boun
 {
   for (const PairedSides& pair : pairs)
   {
-    SplitBoundaryArcs(map, PartEnds(curves, sides, pair).Positions(), mesh);
+    if (!pair.isClosed)
+    {
+      SplitBoundaryArcs(map, PartEnds(curves, sides, pair).Positions(), mesh);
+    }
   }
 }
 
@@ -131,19 +135,23 @@ std::vector<CountSum> PairSums(const SeamlessMap& map, const MeshBoundary& curve
   const SideArcs arcs(map, curves, sides, mesh);
   for (const PairedSides& pair : pairs)
   {
-    const PartEnds ends(curves, sides, pair);
-    std::vector<CountSum> ofPair(ends.Count());
+    std::optional<PartEnds> ends; // none: one part
+    if (!pair.isClosed)
+    {
+      ends.emplace(curves, sides, pair);
+    }
+    std::vector<CountSum> ofPair(ends ? ends->Count() : 1);
     for (const int arc : arcs.Of(pair.first))
     {
-      ofPair[ends.PartOnFirst(arcs.MiddleOf(arc))].terms.emplace_back(arc, 1);
+      ofPair[ends ? ends->PartOnFirst(arcs.MiddleOf(arc)) : 0].terms.emplace_back(arc, 1);
     }
     for (const int arc : arcs.Of(pair.second))
     {
-      ofPair[ends.PartOnSecond(arcs.MiddleOf(arc))].terms.emplace_back(arc, -1);
+      ofPair[ends ? ends->PartOnSecond(arcs.MiddleOf(arc)) : 0].terms.emplace_back(arc, -1);
     }
     for (CountSum& sum : ofPair)
     {
-      sum.name = "The periodic pair " + sides.names[pair.first] + ":" + sides.names[pair.second];
+      sum.name = pair.name;
       sums.push_back(std::move(sum));
     }
   }

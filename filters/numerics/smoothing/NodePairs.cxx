@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crossfield
 {
@@ -21,6 +22,49 @@ void MoveHalfway(const BoundaryCurves& curves, const Point& place, QuadPoint& po
   const double length = curves.Nearest(point.curve.loop, place).at - point.curve.at;
   point.curve.at += 0.5 * (length - loop * std::round(length / loop));
   point.MoveTo(curves.At(point.curve));
+}
+
+/// Pairs the points of two loops, of which each has its first point at the end again: those with the
+/// smallest sum of squared distances between points and the images of their partners, of which none or
+/// both are fixed. Throws Error if there are none.
+void PairAround(const QuadMesh& mesh, const std::vector<int>& first, const std::vector<int>& second,
+  PairedSides& pair)
+{
+  const std::size_t count = first.size() - 1;
+  const auto imageOf = [&](std::size_t i, std::size_t turn)
+  { return second[(turn + count - i) % count]; };
+  std::vector<Point> images;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    images.push_back(pair.motion(mesh.points[first[i]].InPlane()));
+  }
+  std::size_t best = 0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t turn = 0; turn < count; ++turn)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count && sum < smallest; ++i)
+    {
+      const QuadPoint& image = mesh.points[imageOf(i, turn)];
+      sum += image.fixed == mesh.points[first[i]].fixed
+        ? (image.InPlane() - images[i]).squaredNorm()
+        : std::numeric_limits<double>::infinity();
+    }
+    if (sum < smallest)
+    {
+      smallest = sum;
+      best = turn;
+    }
+  }
+  if (std::isinf(smallest))
+  {
+    throw Error(
+      pair.name + " has fixed nodes at different places on its two sides; use a finer mesh.");
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    pair.nodes.push_back({ first[i], imageOf(i, best) });
+  }
 }
 
 void MatchPair(
@@ -57,6 +101,11 @@ void FindPairs(QuadMesh& mesh)
         " edges; give equal numbers of rows to the layers that end on them, or leave the pair out.");
     }
     pair.nodes.clear();
+    if (pair.isClosed)
+    {
+      PairAround(mesh, first, second, pair);
+      continue;
+    }
     for (std::size_t i = 0; i < first.size(); ++i)
     {
       pair.nodes.push_back({ first[i], second[second.size() - 1 - i] });

@@ -5,6 +5,7 @@
 #include "Index.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace crossfield
 {
@@ -148,14 +149,55 @@ int MeshFaces::SideOf(const Key& key) const
   return side >= 0 && this->IsInside(side) ? -1 : side;
 }
 
-void MeshFaces::RequireNoInnerSides(const std::string& format) const
+void RemoveInnerSides(SolverMesh& mesh)
 {
-  const auto inner = std::find(this->Inside.begin(), this->Inside.end(), true);
-  if (inner != this->Inside.end())
+  const MeshFaces faces(mesh);
+  std::vector<int> number(mesh.sideNames.size(), -1);
+  std::vector<std::string> names;
+  for (std::size_t side = 0; side < number.size(); ++side)
   {
-    throw Error("The format " + format + " has sides on the boundary only, and '" +
-      this->Mesh.sideNames[inner - this->Inside.begin()] +
-      "' is inside; leave it out, or write a .msh or .vtu file.");
+    if (!faces.IsInside(static_cast<int>(side)))
+    {
+      number[side] = static_cast<int>(names.size());
+      names.push_back(mesh.sideNames[side]);
+    }
+  }
+  const std::size_t corners = Index(mesh.CornersOfFace());
+  std::size_t kept = 0;
+  for (std::size_t face = 0; face < mesh.side.size(); ++face)
+  {
+    const int side = number[Index(mesh.side[face])];
+    if (side < 0)
+    {
+      continue;
+    }
+    std::copy_n(mesh.faces.begin() + static_cast<std::ptrdiff_t>(face * corners), corners,
+      mesh.faces.begin() + static_cast<std::ptrdiff_t>(kept * corners));
+    mesh.side[kept] = side;
+    for (std::vector<int>* const of : { &mesh.curve, &mesh.sources.faces })
+    {
+      if (!of->empty())
+      {
+        (*of)[kept] = (*of)[face];
+      }
+    }
+    ++kept;
+  }
+  mesh.faces.resize(kept * corners);
+  mesh.side.resize(kept);
+  for (std::vector<int>* const of : { &mesh.curve, &mesh.sources.faces })
+  {
+    of->resize(std::min(of->size(), kept));
+  }
+  mesh.sideNames = std::move(names);
+  for (int* const end : { &mesh.sweep.back, &mesh.sweep.front })
+  {
+    *end = *end < 0 ? -1 : number[Index(*end)];
+  }
+  for (SidePair& pair : mesh.pairs)
+  {
+    pair.first = number[Index(pair.first)];
+    pair.second = number[Index(pair.second)];
   }
 }
 }

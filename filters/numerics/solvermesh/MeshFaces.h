@@ -62,8 +62,6 @@ public:
   const std::vector<CellFace>& OfSide(int side) const { return this->FacesOfSide[side]; }
   /// Returns whether there are cells on both sides of a face of a side.
   bool IsInside(int side) const { return this->Inside[side]; }
-  /// Throws Error, which calls the format `format`, if a side is inside.
-  void RequireNoInnerSides(const std::string& format) const;
 
 private:
   std::vector<std::size_t> Find(const Key& key) const;
@@ -81,4 +79,7 @@ private:
   std::vector<std::vector<CellFace>> FacesOfSide;
   std::vector<bool> Inside; ///< Per side.
 };
+
+/// Removes the sides that are inside, such as interfaces of materials, with their faces.
+void RemoveInnerSides(SolverMesh& mesh);
 }

@@ -43,8 +43,18 @@ public:
   }
 
 private:
+  /// Returns the distance of the start of an arc from the vertex where its first boundary entry starts.
+  double DistanceFromVertex(int arc) const
+  {
+    const int position = this->Mesh.arcs[arc].pieces.front().position;
+    const SpacePoint vertex =
+      this->Topology.PositionOf(this->Topology.BoundaryAt(position).vertices[0]);
+    return (this->Mesh.nodes[this->Mesh.halfEdges[2 * arc].node].place - vertex).norm();
+  }
+
   /// Notes the arc that each boundary entry starts on. That of the entry on which the arc itself
-  /// starts is another one, unless the arc starts at the vertex, where the other one has no piece.
+  /// starts is another one, unless the arc starts at the vertex. Of several that start on one entry
+  /// it is the first.
   void SetArc(int arc)
   {
     const std::vector<ChartPiece>& pieces = this->Mesh.arcs[arc].pieces;
@@ -53,7 +63,12 @@ private:
       return;
     }
     int& ofFirst = this->ArcAt[pieces.front().position];
-    ofFirst = ofFirst < 0 ? arc : ofFirst;
+    if (ofFirst < 0 ||
+      (this->Mesh.arcs[ofFirst].pieces.front().position == pieces.front().position &&
+        this->DistanceFromVertex(arc) < this->DistanceFromVertex(ofFirst)))
+    {
+      ofFirst = arc;
+    }
     for (std::size_t i = 1; i < pieces.size(); ++i)
     {
       this->ArcAt[pieces[i].position] = arc;

@@ -63,7 +63,10 @@ public:
     this->Result.mesh = start;
     this->Closing.map = options.map;
     this->Closing.mesh = [&](const Configuration& singularities, const Progress& progress)
-    { return MeshThroughPoints(domain, singularities, options.meshSize, progress); };
+    {
+      return MeshThroughPoints(
+        domain, singularities, options.meshSize, progress, 1.0, options.quads.sides.FixedPlaces());
+    };
     this->Closing.sizes = options.quads.sizes;
     this->Closing.size = start.quads.size;
   }

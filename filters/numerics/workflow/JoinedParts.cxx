@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "QuadAdvice.h"
 #include "QuadWorkflow.h"
+#include "TMeshJoin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,41 +71,6 @@ void Join(const QuadQuality& from, std::size_t count, std::size_t before, QuadQu
   to.bound = std::min(to.bound, from.bound);
   to.minimumAngle = std::min(to.minimumAngle, from.minimumAngle);
   to.inverted += from.inverted;
-}
-
-void Join(const TMesh& from, std::size_t cones, std::size_t loops, TMesh& to)
-{
-  const std::size_t nodes = to.nodes.size();
-  const std::size_t halfEdges = to.halfEdges.size();
-  const std::size_t patches = to.patches.size();
-  Append(to.nodes, from.nodes, [&](TNode& node) { Shift(node.cone, cones); });
-  Append(to.halfEdges, from.halfEdges,
-    [&](THalfEdge& edge)
-    {
-      Shift(edge.node, nodes);
-      Shift(edge.next, halfEdges);
-      Shift(edge.patch, patches);
-    });
-  Append(to.arcs, from.arcs,
-    [&](TArc& arc)
-    {
-      Shift(arc.separatrix, static_cast<std::size_t>(to.separatrixCount));
-      Shift(arc.loop, loops);
-    });
-  Append(to.patches, from.patches,
-    [&](TPatch& patch)
-    {
-      for (std::vector<int>& side : patch.sides)
-      {
-        std::for_each(side.begin(), side.end(), [&](int& edge) { Shift(edge, halfEdges); });
-      }
-    });
-  to.separatrixCount += from.separatrixCount;
-  to.extraSeparatrices += from.extraSeparatrices;
-  to.headOn += from.headOn;
-  to.crossings += from.crossings;
-  to.ties += from.ties;
-  to.longest = std::max(to.longest, from.longest);
 }
 
 void Join(const EdgeCounts& from, EdgeCounts& to)
@@ -199,7 +165,7 @@ private:
     to.size = (static_cast<double>(before) * to.size + static_cast<double>(count) * from.size) /
       static_cast<double>(before + count);
     this->AddMesh(from.mesh, sides);
-    Join(from.tMesh, this->Cones, this->Loops, to.tMesh);
+    AppendTMesh(from.tMesh, { this->Cones, this->Loops }, to.tMesh);
     Join(from.counts, to.counts);
     to.counts.size = to.size;
     Join(from.smoothing, before == 0, to.smoothing);

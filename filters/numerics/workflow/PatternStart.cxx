@@ -30,7 +30,8 @@ bool StartFromPattern(const PlanarDomain& domain, const ResolvedRequest& request
       map.corners = choice.corners;
       const auto layOut = [&](const PlanarDomain& on, const Configuration& singularities)
       {
-        return LayOut(ShareTopology(MeshThroughPoints(on, singularities, options.meshSize)),
+        return LayOut(ShareTopology(MeshThroughPoints(on, singularities, options.meshSize, {}, 1.0,
+                        options.quads.sides.FixedPlaces())),
           singularities, map, true);
       };
       const Layout field = layOut(filled, choice.singularities);

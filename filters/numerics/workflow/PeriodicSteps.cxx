@@ -9,19 +9,6 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the prescription in the other direction, for another side.
-SidePrescription Reversed(SidePrescription prescribed, int side)
-{
-  prescribed.side = side;
-  Progression& progression = prescribed.progression;
-  if (!progression.both)
-  {
-    progression.ratio = 1.0 / progression.ratio;
-    std::swap(progression.first, progression.last);
-  }
-  return prescribed;
-}
-
 bool AreEqual(const SidePrescription& a, const SidePrescription& b)
 {
   constexpr double Rounding = 1e-9; // of numbers typed in both directions, 0.5 and 2
@@ -58,6 +45,18 @@ void CopyPrescription(const BoundarySides& sides, int first, int second, SidePre
       "' have different numbers, progressions or sizes of edges; prescribe them for one of both.");
   }
 }
+}
+
+SidePrescription Reversed(SidePrescription prescribed, int side)
+{
+  prescribed.side = side;
+  Progression& progression = prescribed.progression;
+  if (!progression.both)
+  {
+    progression.ratio = 1.0 / progression.ratio;
+    std::swap(progression.first, progression.last);
+  }
+  return prescribed;
 }
 
 ResolvedRequest WithPeriodicSides(const PlanarDomain& domain, const ResolvedRequest& request)

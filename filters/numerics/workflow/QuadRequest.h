@@ -117,6 +117,15 @@ struct QuadSeconds
   double smooth = 0.0;
 };
 
+/// A region of one material in a mesh of several.
+struct RegionReport
+{
+  int material = 0;         ///< Index in QuadWorkflowResult::materials.
+  int requiredQuarters = 0; ///< Sum of quarter indices that its singularities must have.
+  int givenQuarters = 0;    ///< Sum of those that they have.
+  std::size_t quads = 0;
+};
+
 /// An attempt to make quads (QuadAttempts.h) in words.
 struct AttemptReport
 {
@@ -151,6 +160,9 @@ struct QuadWorkflowResult
   QuadResult quads;
   std::optional<SizeReport> sizes; ///< Absent if no sizes are requested but one for all quads.
   std::vector<int> part;           ///< Part of the domain of each quad, from 0 (MakeQuadsOfParts).
+  std::vector<std::string> materials; ///< Empty unless the domain has regions (MakeQuadsOfRegions).
+  std::vector<RegionReport> regions;
+  std::vector<int> region;         ///< Region of each quad; empty without regions.
   std::vector<LayerReport> layers; ///< One for each layer of the request.
   CurvedBoundary boundary;         ///< The curves that boundary nodes are on.
   std::vector<CurveReport> curves; ///< One for each of these curves.

@@ -246,12 +246,20 @@ QuadWorkflowResult QuadSteps::MakeQuads(double refinement, const Progress& progr
   return std::move(this->Result);
 }
 
+Layout QuadSteps::LayOutOnly(double refinement, const Progress& progress)
+{
+  Layout layout = this->MakeLayout(refinement, progress);
+  this->Describe(layout);
+  return layout;
+}
+
 /// Returns a mesh with edges divided by `refinement`.
 SharedPlanarTopology QuadSteps::MakeMesh(double refinement, const Progress& progress)
 {
   const ScopedSeconds timed(this->Seconds.mesh);
-  SharedPlanarTopology topology = ShareTopology(MeshThroughPoints(
-    this->Domain, this->Result.singularities, this->Request.meshSize, progress, refinement));
+  SharedPlanarTopology topology =
+    ShareTopology(MeshThroughPoints(this->Domain, this->Result.singularities,
+      this->Request.meshSize, progress, refinement, this->Request.sides.FixedPlaces()));
   RequireAngles(this->Domain, this->Result.singularities, this->CornersOn(*topology));
   return topology;
 }

@@ -33,6 +33,11 @@ public:
   /// LayOut, MakeQuads and AddLayers do.
   QuadWorkflowResult MakeQuads(double refinement, const Progress& progress);
 
+  /// Meshes, solves for the map and traces the separatrices only. Throws Error as MakeQuads does.
+  Layout LayOutOnly(double refinement, const Progress& progress);
+  /// Returns what is known about singularities and corners so far.
+  const QuadWorkflowResult& GetResult() const { return this->Result; }
+
   /// Makes quads without merging blocks, whatever the request says.
   void DoNotMerge();
   /// Makes layers that replace as few rows as are free of irregular nodes.

@@ -465,7 +465,6 @@ ResolvedRequest WithSizeTargets(const PlanarDomain& domain, ResolvedRequest requ
   {
     one.size *= factor;
   }
-  request.prescribedSizes = { targets.length, false, {} };
   request.sizing = Sizing::Field;
   request.quadSize = request.quadSize > 0.0 || request.quadCount == 0 ? 1.0 : 0.0;
   request.targets = std::move(targets);

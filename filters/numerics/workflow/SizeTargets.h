@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// Returns the request with all that it says about sizes as one field of target sizes
-/// (docs/method.md §14.8), in ResolvedRequest::targets and as prescribed sizes; unchanged if it has
+/// (docs/method.md §14.8), in ResolvedRequest::targets; unchanged if it has
 /// only a size or a number of quads.
 ///
 /// With the size h elsewhere, which is uniform or proportional to the prescribed sizes, and the sizes

@@ -13,11 +13,13 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataSet.h"
 #include "vtkFeatureEdges.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIncrementalOctreePointLocator.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -50,9 +52,12 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
 {
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> surfaces;
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("vtkOriginalCellIds");
   CellOutline::ForEachCell(input,
-    [&](vtkIdType, int type, const CellLoop::Points& points)
+    [&](vtkIdType cell, int type, const CellLoop::Points& points)
     {
+      const vtkIdType before = surfaces->GetNumberOfCells();
       switch (type)
       {
       case VTK_EMPTY_CELL:
@@ -74,6 +79,10 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
       default:
         throw Error("The domain has cells of type " + NameOfType(type) +
           "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
+      }
+      if (surfaces->GetNumberOfCells() > before)
+      {
+        ids->InsertNextValue(cell);
       }
     });
   auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -106,6 +115,10 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
     });
   isSurface ? result->SetPolys(numbered) : result->SetLines(numbered);
   result->SetPoints(kept);
+  if (isSurface)
+  {
+    result->GetCellData()->AddArray(ids);
+  }
   return result;
 }
 
@@ -332,6 +345,19 @@ std::vector<Domain> ReadParts(vtkDataSet* input, vtkObject* self)
     part.domain = crossfield::WithExactSymmetries(part.domain);
   }
   return parts;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadSurface(vtkDataSet* input)
+{
+  InputCheck::Require(input);
+  vtkSmartPointer<vtkPolyData> cells = MergePoints(ExtractCurvesOrSurfaces(input), MergeTolerance);
+  if (cells->GetNumberOfPolys() == 0)
+  {
+    throw Error(
+      "A domain of several materials needs surface cells, which have the materials; give a mesh.");
+  }
+  return cells;
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,8 @@
 #include "DomainPlane.h"
 #include "PlanarDomain.h"
 
+#include "vtkSmartPointer.h"
+
 #include <vector>
 
 class vtkDataSet;
@@ -46,6 +48,12 @@ Domain ReadDomain(vtkDataSet* input, vtkObject* self);
 
 /** Reads the parts of a domain (DomainParts.h), one or several, as ReadDomain does. */
 std::vector<Domain> ReadParts(vtkDataSet* input, vtkObject* self);
+
+/**
+ * Returns the surface cells of a data set as polygons, whose points are merged as in ReadDomain, with the cell array
+ * `vtkOriginalCellIds`. Throws crossfield::Error if it has none.
+ */
+vtkSmartPointer<vtkPolyData> ReadSurface(vtkDataSet* input);
 
 /** Writes one closed polyline per loop in the plane z = 0. */
 void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output);

@@ -12,6 +12,9 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include <array>
+#include <map>
+
 namespace names = vtkCrossFieldArrayNames;
 
 namespace DrawingConversion
@@ -58,5 +61,49 @@ void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingO
     ColumnWriting::AddText(output->GetFieldData(), names::DrawingUnit, drawing.unit);
   }
   ColumnWriting::AddNumbers(output->GetFieldData(), names::LargestGap, { outline.largestGap });
+}
+
+//------------------------------------------------------------------------------
+void WriteFaces(const crossfield::Drawing& drawing, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::map<std::array<double, 2>, vtkIdType> numbers; // nodes that faces share have equal places
+  const auto numberOf = [&](const crossfield::Point& place)
+  {
+    const auto [found, isNew] =
+      numbers.emplace(std::array{ place.x(), place.y() }, points->GetNumberOfPoints());
+    if (isNew)
+    {
+      points->InsertNextPoint(drawing.plane.ToSpace(place).data());
+    }
+    return found->second;
+  };
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkCellArray> lines;
+  std::vector<std::string> sides; // of lines, then of polygons
+  std::vector<std::string> materials;
+  for (const crossfield::DrawingPiece& piece : drawing.pieces)
+  {
+    lines->InsertNextCell({ numberOf(piece.first), numberOf(piece.last) });
+    sides.push_back(piece.name);
+    materials.emplace_back();
+  }
+  for (const crossfield::DrawingFace& face : drawing.faces)
+  {
+    polygons->InsertNextCell(static_cast<int>(face.points.size()));
+    for (const crossfield::Point& point : face.points)
+    {
+      polygons->InsertCellPoint(numberOf(point));
+    }
+    sides.emplace_back();
+    materials.push_back(face.material);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->SetPolys(polygons);
+  const auto text = [](const std::string& value) { return value; };
+  ColumnWriting::AddColumn<vtkStringArray>(output->GetCellData(), names::Side, sides, text);
+  ColumnWriting::AddColumn<vtkStringArray>(output->GetCellData(), names::Material, materials, text);
 }
 }

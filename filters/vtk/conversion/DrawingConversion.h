@@ -14,6 +14,12 @@ namespace DrawingConversion
  */
 void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingOutline& outline,
   vtkPolyData* output);
+
+/**
+ * Writes the faces of a drawing of several materials as polygons with the cell array `Material` (string), and its
+ * lines with the array `Side`, in its plane.
+ */
+void WriteFaces(const crossfield::Drawing& drawing, vtkPolyData* output);
 }
 
 #endif

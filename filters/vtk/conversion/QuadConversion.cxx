@@ -171,9 +171,12 @@ void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredG
   }
   Join<vtkIntArray>(from, lines, names::BoundaryKind, 0, to);
   Join<vtkIntArray>(from, lines, names::BoundaryId, -1, to);
-  if (lines->HasArray(names::Curve))
+  for (const char* name : { names::Curve, names::Region, names::RegionLeft, names::RegionRight })
   {
-    Join<vtkIntArray>(from, lines, names::Curve, -1, to);
+    if (from->HasArray(name) || lines->HasArray(name))
+    {
+      Join<vtkIntArray>(from, lines, name, -1, to);
+    }
   }
   vtkNew<vtkStringArray> sides;
   sides->SetName(names::Side);

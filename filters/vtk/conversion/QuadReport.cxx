@@ -283,6 +283,10 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
   {
     text << result.PartCount() << " parts: ";
   }
+  if (!result.regions.empty())
+  {
+    text << result.regions.size() << " regions of " << result.materials.size() << " materials: ";
+  }
   text << DescribeQuads(quads) << ", minimum scaled Jacobian " << std::fixed << std::setprecision(2)
        << quads.quality.jacobian.min << "; " << DescribeIrregular(quads.mesh) << ".";
   const std::string inverted =

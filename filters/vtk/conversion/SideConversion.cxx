@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "QuadMesher.h"
 #include "QuadSides.h"
+#include "RegionSides.h"
 #include "SegmentCells.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -138,21 +139,27 @@ std::string FindArray(vtkDataSet* input, const std::string& requested)
 
 //------------------------------------------------------------------------------
 std::vector<crossfield::BoundarySides> ReadSides(vtkDataSet* input, const std::string& requested,
-  const std::vector<DomainConversion::Domain>& parts)
+  const std::vector<DomainConversion::Domain>& parts, crossfield::RegionSet* regions)
 {
   const std::string array = FindArray(input, requested);
   std::vector<crossfield::BoundarySides> result;
   std::vector<std::string> generated; // for earlier parts
+  std::vector<crossfield::SegmentNames> segments(parts.size());
   bool isNamed = false;
-  for (const DomainConversion::Domain& part : parts)
+  for (std::size_t p = 0; p < parts.size() && !array.empty(); ++p)
   {
-    crossfield::SegmentNames segments;
-    if (!array.empty())
-    {
-      segments = NamesOfSegments(input, array, part);
-      isNamed = isNamed || IsNamed(segments);
-    }
-    result.push_back(crossfield::NameSides(part.domain, segments, generated));
+    segments[p] = NamesOfSegments(input, array, parts[p]);
+    isNamed = isNamed || IsNamed(segments[p]);
+  }
+  if (regions != nullptr)
+  {
+    crossfield::UseGivenNames(segments, *regions);
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    result.push_back(regions == nullptr
+        ? crossfield::NameSides(parts[p].domain, segments[p], generated)
+        : crossfield::SidesOfRegion(*regions, p, segments[p], generated));
     const std::vector<std::string>& names = result.back().names;
     generated.insert(generated.end(), names.begin() + result.back().given, names.end());
   }

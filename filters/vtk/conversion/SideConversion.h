@@ -18,6 +18,7 @@ class vtkTable;
 namespace crossfield
 {
 struct QuadResult;
+struct RegionSet;
 }
 
 /** Conversion of the names of boundary sides. */
@@ -34,11 +35,12 @@ std::string FindArray(vtkDataSet* input, const std::string& requested);
  * Reads the sides of each part of a domain from a cell array of its lines: of its curves, or,
  * beside surface cells, of lines along their boundary. Integers are read as their decimal text.
  * Segments of the boundary without a line, and lines with an empty string, have no name (see
- * crossfield::NameSides); lines inside the domain are ignored. Throws crossfield::Error as
+ * crossfield::NameSides); lines inside the domain are ignored. With `regions`, the parts are their domains, and
+ * sides between them have the names of interfaces. Throws crossfield::Error as
  * FindArray does, or if a requested array names no segment.
  */
 std::vector<crossfield::BoundarySides> ReadSides(vtkDataSet* input, const std::string& requested,
-  const std::vector<DomainConversion::Domain>& parts);
+  const std::vector<DomainConversion::Domain>& parts, crossfield::RegionSet* regions = nullptr);
 
 /**
  * Reads a table of sides with the columns of SideText, of strings or numbers; 0 prescribes nothing. A table

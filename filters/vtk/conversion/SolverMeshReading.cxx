@@ -136,6 +136,38 @@ std::vector<crossfield::MeshBlock> ReadBlocks(const SolverMesh& mesh, vtkCellDat
   return crossfield::GatherBlocks(mesh, places);
 }
 
+/** Reads the materials of the cells, if they have several. */
+void ReadRegions(vtkUnstructuredGrid* grid, SolverMesh& mesh)
+{
+  vtkDataArray* regions = grid->GetCellData()->GetArray(names::Region);
+  auto* materials =
+    vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(names::MaterialName));
+  vtkDataArray* values = grid->GetFieldData()->GetArray(names::MaterialValue);
+  if (regions == nullptr || materials == nullptr || values == nullptr ||
+    materials->GetNumberOfValues() != values->GetNumberOfTuples())
+  {
+    return;
+  }
+  std::map<int, int> number;
+  mesh.regionNames.clear();
+  for (vtkIdType i = 0; i < materials->GetNumberOfValues(); ++i)
+  {
+    number[static_cast<int>(values->GetTuple1(i))] = static_cast<int>(i);
+    mesh.regionNames.push_back(materials->GetValue(i));
+  }
+  for (std::size_t cell = 0; cell < mesh.region.size(); ++cell)
+  {
+    const auto value = static_cast<int>(regions->GetTuple1(mesh.sources.cells[cell]));
+    const auto found = number.find(value);
+    if (found == number.end())
+    {
+      throw Error("The cells have the region " + std::to_string(value) +
+        ", which is none of the materials; give the quads of a Quad Mesher.");
+    }
+    mesh.region[cell] = found->second;
+  }
+}
+
 /** Reads which sides are the ends of a sweep. */
 crossfield::SweepEnds ReadSweep(vtkFieldData* data, const std::map<std::string, int>& sides)
 {
@@ -262,6 +294,7 @@ SolverMesh Read(vtkUnstructuredGrid* grid)
       "The quads have no boundary edges; put Quads To Higher Order with Order 1 directly behind Quad "
       "Mesher, before filters that change points or cells.");
   }
+  ReadRegions(grid, mesh);
   mesh.blocks = ReadBlocks(mesh, grid->GetCellData());
   mesh.sweep = ReadSweep(grid->GetFieldData(), numbers);
   mesh.pairs = PeriodicConversion::Read(grid->GetFieldData(), mesh.sideNames);

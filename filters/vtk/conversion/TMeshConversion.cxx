@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "Index.h"
 #include "PlanarTopology.h"
 #include "TraceGraph.h"
 #include "vtkCrossFieldArrayNames.h"

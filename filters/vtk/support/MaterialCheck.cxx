@@ -1,5 +1,6 @@
 #include "MaterialCheck.h"
 
+#include "Error.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkAbstractArray.h"
@@ -69,6 +70,34 @@ std::size_t CountValues(vtkAbstractArray* array, const std::vector<vtkIdType>& c
 
 namespace MaterialCheck
 {
+//------------------------------------------------------------------------------
+std::string FindArray(vtkDataSet* domain, const std::string& requested)
+{
+  vtkCellData* data = domain->GetCellData();
+  if (requested == "none")
+  {
+    return {};
+  }
+  if (!requested.empty())
+  {
+    if (!CanBeMaterial(data->GetAbstractArray(requested.c_str())))
+    {
+      throw crossfield::Error("The domain has no cell array '" + requested +
+        "' of strings or single integers with the materials of its cells; give the name of one, or none.");
+    }
+    return requested;
+  }
+  for (const char* name : { names::Material, names::Region })
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(name);
+    if (CanBeMaterial(array) && CountValues(array, SurfaceCells(domain)) > 1)
+    {
+      return name;
+    }
+  }
+  return {};
+}
+
 //------------------------------------------------------------------------------
 std::string Warning(vtkDataSet* domain)
 {

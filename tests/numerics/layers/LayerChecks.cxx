@@ -37,6 +37,8 @@ void ExpectSoundBlocks(const QuadResult& result)
     }
   }
   EXPECT_EQ(quads, mesh.quads.size());
-  EXPECT_EQ(boundary, mesh.boundary.size());
+  EXPECT_EQ(boundary,
+    std::count_if(mesh.boundary.begin(), mesh.boundary.end(),
+      [](const QuadBoundaryEdge& edge) { return edge.kind != BoundaryKind::Interface; }));
 }
 }

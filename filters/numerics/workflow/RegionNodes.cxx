@@ -1,0 +1,74 @@
+#include "RegionNodes.h"
+
+#include "NodeIndices.h"
+#include "PoincareHopf.h"
+
+#include <algorithm>
+
+namespace crossfield
+{
+std::vector<std::vector<RegionCorner>> FindNodeCorners(
+  const RegionSet& set, const std::vector<std::vector<CornerChoice>>& given)
+{
+  std::vector<std::vector<RegionCorner>> all;
+  std::vector<NodeCorners> nodes;
+  std::vector<std::vector<CornerChoice>> without = given; // with index 0 at nodes
+  for (const RegionNode& node : set.nodes)
+  {
+    const auto isHere = [&node](const CornerChoice& choice)
+    { return choice.position == node.place; };
+    all.emplace_back();
+    nodes.push_back({ {}, node.isOnBoundary });
+    for (std::size_t r = 0; r < set.regions.size(); ++r)
+    {
+      const std::vector<Loop>& loops = set.regions[r].domain.loops;
+      for (std::size_t l = 0; l < loops.size(); ++l)
+      {
+        const auto found = std::find(loops[l].begin(), loops[l].end(), node.place);
+        if (found == loops[l].end())
+        {
+          continue;
+        }
+        const Corner corner =
+          MakeCorner(loops, l, static_cast<std::size_t>(found - loops[l].begin()));
+        NodeCorner one{ static_cast<int>(r), corner.angle, std::nullopt };
+        const auto own = std::find_if(without[r].begin(), without[r].end(), isHere);
+        if (own != without[r].end())
+        {
+          one.prescribed = own->quarterIndex;
+          without[r].erase(own);
+        }
+        without[r].push_back({ node.place, 0 });
+        all.back().push_back({ r, corner, 0 });
+        nodes.back().corners.push_back(one);
+      }
+    }
+  }
+  std::vector<int> required;
+  for (std::size_t r = 0; r < set.regions.size(); ++r)
+  {
+    const std::vector<Loop>& loops = set.regions[r].domain.loops;
+    const std::vector<CornerChoice> capped =
+      CapCorners(CountQuarters(loops, 0, DefaultCornerAngle, without[r]), without[r]);
+    required.push_back(
+      CountQuarters(loops, 0, DefaultCornerAngle, capped).requiredInteriorQuarters);
+  }
+  const std::vector<std::vector<int>> indices = ChooseNodeIndices(nodes, required);
+  for (std::size_t n = 0; n < all.size(); ++n)
+  {
+    for (std::size_t i = 0; i < all[n].size(); ++i)
+    {
+      all[n][i].quarterIndex = indices[n][i];
+    }
+  }
+  return all;
+}
+
+int IndexAt(const RegionNode& node, const std::vector<RegionCorner>& corners)
+{
+  std::vector<int> indices;
+  std::transform(corners.begin(), corners.end(), std::back_inserter(indices),
+    [](const RegionCorner& one) { return one.quarterIndex; });
+  return IndexOfNode(indices, node.isOnBoundary);
+}
+}

@@ -1,0 +1,142 @@
+"""crossfield quads of meshes of several materials: input, report, files of solvers, and CalculiX on a bimetal strip."""
+import collections
+import json
+import math
+import re
+import shutil
+import subprocess
+import unittest
+
+from program import ProgramTest
+
+try:
+    import meshio
+except ImportError:
+    meshio = None
+
+
+def msh(nodes, faces, lines, names):
+    """Returns a mesh of Gmsh, format 2.2: faces and lines are (group, nodes), `names` are (dimension, group, name)."""
+    elements = [(1, *line) for line in lines] + [(3 if len(f[1]) == 4 else 2, *f) for f in faces]
+    rows = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(names))]
+    rows += ['%d %d "%s"' % name for name in names] + ["$EndPhysicalNames", "$Nodes", str(len(nodes))]
+    rows += ["%d %.17g %.17g 0" % (i + 1, *node) for i, node in enumerate(nodes)] + ["$EndNodes", "$Elements", str(len(elements))]
+    rows += ["%d %d 2 %d %d %s" % (i + 1, kind, group, group, " ".join(str(n + 1) for n in corners))
+             for i, (kind, group, corners) in enumerate(elements)]
+    return "\n".join(rows + ["$EndElements", ""])
+
+
+def strip(length, heights, columns=10):
+    """Returns a mesh of layers of a length, one of each height, with a group for each, and named lines on the left."""
+    levels = [sum(heights[:i]) for i in range(len(heights) + 1)]
+    nodes = [(length * i / columns, y) for y in levels for i in range(columns + 1)]
+    row = columns + 1
+    faces = [(j + 1, (j * row + i, j * row + i + 1, (j + 1) * row + i + 1, (j + 1) * row + i))
+             for j in range(len(heights)) for i in range(columns)]
+    lines = [(11, (j * row, (j + 1) * row)) for j in range(len(heights))] + [(12, (i, i + 1)) for i in range(columns)]
+    materials = ("steel", "copper", "tin")
+    names = [(2, j + 1, materials[j]) for j in range(len(heights))] + [(1, 11, "left"), (1, 12, "bottom")]
+    return msh(nodes, faces, lines, names)
+
+
+class Regions(ProgramTest):
+    def quads(self, domain, file, *arguments):
+        return json.loads(self.succeed("quads", domain, "-o", file, "--json", "-", *arguments))
+
+    def test_physical_surfaces_are_materials(self):
+        (self.folder / "strip.msh").write_text(strip(4, (1, 0.5, 1)))
+        report = self.quads("strip.msh", "quads.vtu", "--quads", "400")
+        self.assertEqual([region["name"] for region in report["regions"]], ["copper", "steel", "tin"])
+        self.assertEqual(sum(region["quads"] for region in report["regions"]), report["quads"])
+        for region in report["regions"]:
+            self.assertEqual((region["required_interior_quarters"], region["given_interior_quarters"]), (0, 0))
+        self.assertEqual((report["irregular"], report["blocks"]), ({}, 3))
+        self.assertGreater(report["scaled_jacobian"]["min"], 1 - 1e-9)
+        sides = {side["name"]: side for side in report["sides"]}
+        self.assertLessEqual({"copper+steel", "copper+tin", "left", "bottom"}, set(sides))
+        self.assertEqual(sides["copper+steel"]["edges"], sides["bottom"]["edges"])
+        self.assertAlmostEqual(sides["left"]["length"], 2.5)
+        self.assertIn("3 regions of 3 materials: copper, steel, tin\n",
+                      self.succeed("quads", "strip.msh", "-o", "quads.vtu", "--quads", "400"))
+        counted = self.quads("strip.msh", "quads.vtu", "--quads", "333", "--count", "copper+tin:37", "--count", "left:9")
+        self.assertEqual({side["name"]: side["edges"] for side in counted["sides"]}["copper+tin"], 37)
+        whole = self.quads("strip.msh", "quads.vtu", "--quads", "400", "--materials", "none")
+        self.assertNotIn("regions", whole)
+
+    def test_what_is_not_available_is_refused(self):
+        (self.folder / "strip.msh").write_text(strip(4, (1, 1)))
+        for arguments, cause in ((("--merge", "clean"), "Merged blocks are not available for several materials"),
+                                 (("--layers", "bottom:0.01"), "Boundary layers are not available for several materials"),
+                                 (("--smooth-boundary", "0.1"), "The boundary of a domain of several materials is not simplified"),
+                                 (("--materials", "Grain"), "The domain has no cell array 'Grain'")):
+            self.refuse("quads", "strip.msh", "-o", "quads.vtu", *arguments, says=(cause,))
+
+    @unittest.skipUnless(meshio, "meshio is not installed")
+    def test_files_have_groups_of_materials_and_interfaces(self):
+        (self.folder / "strip.msh").write_text(strip(4, (1, 1)))
+        report = self.quads("strip.msh", "a.msh", "--quads", "200", "--order", "2")
+        quads = {region["name"]: region["quads"] for region in report["regions"]}
+        mesh = meshio.read(self.folder / "a.msh")
+        groups = {name: int(data[0]) for name, data in mesh.field_data.items()}
+        self.assertLessEqual({"steel", "copper", "copper+steel", "left", "bottom"}, set(groups))
+        found = collections.Counter(mesh.cell_data_dict["gmsh:physical"]["quad9"])
+        self.assertEqual({name: found[groups[name]] for name in quads}, quads)
+        # Every edge of the interface is one of a quad of each material.
+        edges = mesh.cells_dict["line3"][mesh.cell_data_dict["gmsh:physical"]["line3"] == groups["copper+steel"]]
+        owners = collections.defaultdict(set)
+        for quad, group in zip(mesh.cells_dict["quad9"], mesh.cell_data_dict["gmsh:physical"]["quad9"]):
+            for i in range(4):
+                owners[frozenset((quad[i], quad[(i + 1) % 4]))].add(group)
+        self.assertTrue(all(len(owners[frozenset(edge[:2])]) == 2 for edge in edges))
+        for file in ("a.inp", "a.ex2", "a.xyz", "case/"):
+            self.quads("strip.msh", file, "--quads", "200")
+        self.assertIn("ELSET=steel", (self.folder / "a.inp").read_text())
+        zones = (self.folder / "case/constant/polyMesh/cellZones").read_text()
+        self.assertTrue("steel" in zones and "copper" in zones)
+        self.assertNotIn("copper", (self.folder / "case/constant/polyMesh/boundary").read_text())
+        self.refuse("quads", "strip.msh", "-o", "a.su2", says=("no regions",))
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_a_bimetal_strip_bends_as_timoshenko_says(self):
+        """Curvature of two heated layers, plane stress, slenderness 20."""
+        length, thickness, heat = 20.0, (0.4, 0.6), 100.0
+        moduli, expansions = (200e3, 120e3), (12e-6, 17e-6)  # below and above
+        (self.folder / "strip.msh").write_text(strip(length, thickness))
+        self.quads("strip.msh", "a.inp", "--size", "0.1", "--order", "2")
+        mesh = (self.folder / "a.inp").read_text()
+        materials = "".join("*MATERIAL, NAME=%s\n*ELASTIC\n%g, 0.3\n*EXPANSION\n%g\n*SOLID SECTION, ELSET=%s, MATERIAL=%s\n%g\n"
+                            % (name, modulus, expansion, name, name, 0.01 * length)
+                            for name, modulus, expansion in zip(("steel", "copper"), moduli, expansions))
+        nodes = {int(row[0]): (float(row[1]), float(row[2])) for row in (
+            line.split(",") for line in mesh.split("*NODE, NSET=NALL\n")[1].split("*")[0].split("\n")[:-1])}
+        corner = min(nodes, key=lambda node: math.hypot(*nodes[node]))
+        (self.folder / "a.inp").write_text(mesh + materials + """*INITIAL CONDITIONS, TYPE=TEMPERATURE
+NALL, 0
+*BOUNDARY
+left, 1, 1
+%d, 2, 2
+*STEP
+*STATIC
+*TEMPERATURE
+NALL, %g
+*NODE PRINT, NSET=bottom
+U
+*END STEP
+""" % (corner, heat))
+        subprocess.run(["ccx", "a"], cwd=self.folder, check=True, capture_output=True)
+        rows = [row.split() for row in (self.folder / "a.dat").read_text().splitlines() if re.match(r" +\d+ +[-\d]", row)]
+        deflection = sorted((nodes[int(row[0])][0], float(row[2])) for row in rows)
+        self.assertGreater(len(deflection), 100)
+
+        def at(x):
+            return min(deflection, key=lambda one: abs(one[0] - x))
+        (x0, v0), (x1, v1), (x2, v2) = (at(length * part) for part in (0.4, 0.5, 0.6))
+        curvature = 2 * ((v2 - v1) / (x2 - x1) - (v1 - v0) / (x1 - x0)) / (x2 - x0)
+        m, n = thickness[0] / thickness[1], moduli[0] / moduli[1]
+        expected = (6 * (expansions[1] - expansions[0]) * heat * (1 + m)**2
+                    / (sum(thickness) * (3 * (1 + m)**2 + (1 + m * n) * (m**2 + 1 / (m * n)))))
+        self.assertLess(abs(abs(curvature) / expected - 1), 0.01)
+
+
+if __name__ == "__main__":
+    unittest.main()
