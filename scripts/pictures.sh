@@ -23,6 +23,7 @@ python=$("$crossfield" --paths | sed -n 's/^python: //p')
 xvfb-run -a pvpython scripts/pictures/drawings.py "$crossfield" docs/drawings
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/glossary.py docs/glossary
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/sizes.py docs/sizes
+PYTHONPATH=$python /usr/bin/python3 scripts/pictures/regions.py docs/regions
 
 build=$(dirname "$(dirname "$(command -v "$crossfield")")")
 ctest --test-dir "$build" -R '^ParaView\.RecordedRun$' --output-on-failure

@@ -13,9 +13,8 @@ constexpr const char* BoundaryId = "BoundaryId";
 // Materials of a domain and of its quads, cells: vtkQuadMesher.
 constexpr const char* Material = "Material";
 constexpr const char* Region = "Region";
-constexpr const char* MaterialName = "MaterialName";
-constexpr const char* MaterialValue = "MaterialValue";
 constexpr const char* RegionName = "RegionName";
+constexpr const char* RegionMaterial = "RegionMaterial";
 constexpr const char* RegionLeft = "RegionLeft";
 constexpr const char* RegionRight = "RegionRight";
 constexpr const char* RegionQuads = "RegionQuads";

@@ -261,8 +261,8 @@ public:
       { names::IntegerVariables, names::IntegerOptimal, names::IntegerGap }, "integers", "Integer");
     this->AddColumns("attempts", "Attempts", { { "", names::Attempts, { "what", "outcome" } } });
     this->AddColumns("regions", "Region",
-      { names::RegionName, names::RegionQuads, names::RegionRequiredInteriorQuarters,
-        names::RegionGivenInteriorQuarters });
+      { { "name", names::RegionMaterial }, names::RegionQuads,
+        names::RegionRequiredInteriorQuarters, names::RegionGivenInteriorQuarters });
     this->AddColumns("alternatives", "Alternative",
       { names::AlternativeNodes, names::AlternativeBlocks, names::AlternativeScaledJacobian,
         names::AlternativeSizeVariation });

@@ -5,6 +5,7 @@
 #include "DrawingFormats.h"
 #include "DrawingLayers.h"
 #include "DrawingOutline.h"
+#include "DrawingRegions.h"
 #include "Error.h"
 #include "FilterRun.h"
 #include "PointTable.h"
@@ -17,6 +18,7 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <optional>
 #include <sstream>
 
 vtkStandardNewMacro(vtkDrawingReader);
@@ -90,19 +92,32 @@ int vtkDrawingReader::RequestData(
       crossfield::KeepLayers(layers, drawing);
       constexpr double ReadShare = 0.5;
       progress.Report(ReadShare);
-      if (!drawing.faces.empty())
+      const double turn = this->SamplingAngle * crossfield::Pi / 180.0;
+      std::optional<crossfield::DrawingOutline> outline;
+      if (drawing.faces.empty())
       {
-        for (const std::string& warning : drawing.warnings)
+        try
         {
-          vtkWarningMacro(<< warning);
+          outline = crossfield::TraceOutline(drawing, this->JoinTolerance, turn);
         }
-        DrawingConversion::WriteFaces(drawing, vtkPolyData::GetData(outputVector));
-        return;
+        catch (const crossfield::Error&)
+        {
+          // Curves that branch may bound regions.
+          if (!crossfield::TraceRegions(this->JoinTolerance, turn, drawing))
+          {
+            throw;
+          }
+        }
       }
-      const crossfield::DrawingOutline outline = crossfield::TraceOutline(
-        drawing, this->JoinTolerance, this->SamplingAngle * crossfield::Pi / 180.0);
-      DrawingConversion::WriteOutline(drawing, outline, vtkPolyData::GetData(outputVector));
-      for (const std::string& warning : outline.warnings)
+      if (!outline)
+      {
+        DrawingConversion::WriteFaces(drawing, vtkPolyData::GetData(outputVector));
+      }
+      else
+      {
+        DrawingConversion::WriteOutline(drawing, *outline, vtkPolyData::GetData(outputVector));
+      }
+      for (const std::string& warning : outline ? outline->warnings : drawing.warnings)
       {
         vtkWarningMacro(<< warning);
       }

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -42,20 +44,26 @@ void PrintCurves(vtkFieldData* report)
 /** Prints a line about materials. */
 void PrintMaterials(vtkFieldData* report)
 {
-  auto* materials = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::MaterialName));
-  vtkAbstractArray* regions = report->GetAbstractArray(names::RegionName);
-  if (materials == nullptr || regions == nullptr)
+  auto* regions = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::RegionMaterial));
+  if (regions == nullptr)
   {
     return;
   }
-  std::cout << regions->GetNumberOfTuples() << " regions of " << materials->GetNumberOfValues()
-            << " materials";
-  constexpr vtkIdType Listed = 10;
-  for (vtkIdType i = 0; i < std::min(Listed, materials->GetNumberOfValues()); ++i)
+  std::vector<std::string> materials;
+  for (vtkIdType i = 0; i < regions->GetNumberOfValues(); ++i)
   {
-    std::cout << (i == 0 ? ": " : ", ") << materials->GetValue(i);
+    if (std::find(materials.begin(), materials.end(), regions->GetValue(i)) == materials.end())
+    {
+      materials.push_back(regions->GetValue(i));
+    }
   }
-  std::cout << (materials->GetNumberOfValues() > Listed ? ", ...\n" : "\n");
+  std::cout << regions->GetNumberOfValues() << " regions of " << materials.size() << " materials";
+  constexpr std::size_t Listed = 10;
+  for (std::size_t i = 0; i < std::min(Listed, materials.size()); ++i)
+  {
+    std::cout << (i == 0 ? ": " : ", ") << materials[i];
+  }
+  std::cout << (materials.size() > Listed ? ", ...\n" : "\n");
 }
 
 /** Prints a line for each boundary layer. */

@@ -17,7 +17,7 @@ import unittest
 import numpy as np
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -49,6 +49,30 @@ class Quads(unittest.TestCase):
             crossfield.quads("builtin:disk", sizes_near=[(0, 0)])
         with self.assertRaisesRegex(crossfield.Error, "above 1"):
             crossfield.quads("builtin:disk", sizes_near=[(0, 0, 0.1)], growth=1.0)
+
+    def test_materials_of_a_mesh(self):
+        points, cells, materials = vtkPoints(), vtkCellArray(), vtkStringArray()
+        points.SetDataTypeToDouble()
+        for i in range(6):
+            points.InsertNextPoint(i % 3, i // 3, 0)
+        for corners, material in (((0, 1, 4, 3), "steel"), ((1, 2, 5, 4), "copper")):
+            cells.InsertNextCell(4, corners)
+            materials.InsertNextValue(material)
+        domain = vtkPolyData()
+        domain.SetPoints(points)
+        domain.SetPolys(cells)
+        materials.SetName("Metal")
+        domain.GetCellData().AddArray(materials)
+        mesh = crossfield.quads(domain, count=200, materials="Metal")
+        self.assertEqual([region["name"] for region in mesh.report["regions"]], ["steel", "copper"])
+        centres = mesh.points[mesh.quads].mean(axis=1)
+        np.testing.assert_array_equal(mesh.region, (centres[:, 0] > 1).astype(int))
+        inner = mesh.edges[mesh.boundary_kind == 5]
+        self.assertEqual(set(mesh.edge_side[mesh.boundary_kind == 5]), {"steel+copper"})
+        np.testing.assert_array_equal(mesh.points[inner][:, :, 0], 1)
+        self.assertTrue((mesh.valence[inner[1:-1]] == 4).any())
+        self.assertFalse(crossfield.quads("builtin:disk", count=100).region.any())
+        self.refused("no cell array 'Grain'", domain, materials="Grain")
 
     def test_numbers_are_those_of_the_program(self):
         for options, arguments in (({}, ()), ({"size": 0.1}, ("--size", "0.1")),

@@ -52,7 +52,7 @@ void InsertPoint(const QuadPoint& point, const crossfield::DomainPlane& plane, v
   points->InsertNextPoint(plane.ToSpace(point.InPlane()).data());
 }
 
-/** Adds the array of a mesh from that of its quads or, if they have none, of its lines; `value` is that of the others. */
+/** Adds the array of a mesh from those of its quads and of its lines; `value` is that of cells without it. */
 template <class Array>
 void Join(vtkCellData* quads, vtkCellData* lines, const char* name, typename Array::ValueType value,
   vtkCellData* to)
@@ -62,8 +62,14 @@ void Join(vtkCellData* quads, vtkCellData* lines, const char* name, typename Arr
   const vtkIdType quadCount = quads->GetNumberOfTuples();
   const vtkIdType lineCount = lines->GetNumberOfTuples();
   const auto array = ColumnWriting::NewArray<Array>(to, name, 1, quadCount + lineCount, value);
-  ofQuads ? array->InsertTuples(0, quadCount, 0, ofQuads)
-          : array->InsertTuples(quadCount, lineCount, 0, ofLines);
+  if (ofQuads != nullptr)
+  {
+    array->InsertTuples(0, quadCount, 0, ofQuads);
+  }
+  if (ofLines != nullptr)
+  {
+    array->InsertTuples(quadCount, lineCount, 0, ofLines);
+  }
 }
 }
 

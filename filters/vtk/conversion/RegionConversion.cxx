@@ -15,31 +15,30 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
+#include <utility>
 
 namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
-/** Returns the index of the material of each cell, and sets names and values of the materials. */
-template <class Key, class KeyOf, class NameOf>
-std::vector<int> IndexMaterials(const std::vector<vtkIdType>& cells, const KeyOf& keyOf,
-  const NameOf& nameOf, std::vector<Key>& keys)
+/** Returns the index of the value of each cell, and sets the different values in the order of their first cells. */
+template <class Value, class ValueOf>
+std::vector<int> NumberValues(
+  const std::vector<vtkIdType>& cells, const ValueOf& valueOf, std::vector<Value>& values)
 {
-  std::map<Key, int> index;
+  std::map<Value, int> numbers;
+  std::vector<int> result;
   for (const vtkIdType cell : cells)
   {
-    index.emplace(keyOf(cell), 0);
+    const auto [found, isNew] = numbers.emplace(valueOf(cell), static_cast<int>(values.size()));
+    if (isNew)
+    {
+      values.push_back(found->first);
+    }
+    result.push_back(found->second);
   }
-  for (auto& [key, number] : index)
-  {
-    number = static_cast<int>(keys.size());
-    keys.push_back(key);
-    nameOf(key);
-  }
-  std::vector<int> materials;
-  std::transform(cells.begin(), cells.end(), std::back_inserter(materials),
-    [&](vtkIdType cell) { return index.at(keyOf(cell)); });
-  return materials;
+  return result;
 }
 }
 
@@ -79,28 +78,31 @@ Regions Read(vtkDataSet* input, const std::string& array)
   vtkAbstractArray* materials = input->GetCellData()->GetAbstractArray(array.c_str());
   if (auto* texts = vtkStringArray::SafeDownCast(materials))
   {
-    std::vector<std::string> keys;
-    cells.materials = IndexMaterials(
-      ids, [texts](vtkIdType cell) { return std::string(texts->GetValue(cell)); },
-      [&](const std::string& name)
-      {
-        cells.names.push_back(name);
-        regions.values.push_back(static_cast<int>(regions.values.size()));
-      },
-      keys);
+    regions.areNamed = true;
+    cells.materials = NumberValues(
+      ids, [texts](vtkIdType cell) { return std::string(texts->GetValue(cell)); }, cells.names);
+    regions.values.resize(cells.names.size());
+    std::iota(regions.values.begin(), regions.values.end(), 0);
   }
   else
   {
     auto* numbers = vtkDataArray::SafeDownCast(materials);
-    std::vector<int> keys;
-    cells.materials = IndexMaterials(
-      ids, [numbers](vtkIdType cell) { return static_cast<int>(numbers->GetTuple1(cell)); },
-      [&](int value)
-      {
-        cells.names.push_back(std::to_string(value));
-        regions.values.push_back(value);
-      },
-      keys);
+    const auto valueOf = [numbers](vtkIdType cell)
+    { return static_cast<int>(numbers->GetTuple1(cell)); };
+    // Regions are in the order of the values.
+    std::sort(ids.begin(), ids.end(),
+      [&](vtkIdType a, vtkIdType b)
+      { return std::pair(valueOf(a), a) < std::pair(valueOf(b), b); });
+    NumberValues(ids, valueOf, regions.values);
+    for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+    {
+      const int value = valueOf(static_cast<vtkIdType>(original->GetTuple1(cell)));
+      cells.materials.push_back(
+        static_cast<int>(std::lower_bound(regions.values.begin(), regions.values.end(), value) -
+          regions.values.begin()));
+    }
+    std::transform(regions.values.begin(), regions.values.end(), std::back_inserter(cells.names),
+      [](int value) { return std::to_string(value); });
   }
   regions.set = crossfield::MakeRegionSet(cells);
   return regions;
@@ -144,16 +146,20 @@ void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
     return found == regionAt.end() ? -1 : found->second;
   };
   using crossfield::QuadBoundaryEdge;
-  ColumnWriting::AddColumn<vtkIntArray>(boundary->GetCellData(), names::RegionLeft, mesh.boundary,
-    [&](const QuadBoundaryEdge& edge) { return find(edge.points[0], edge.points[1]); });
+  for (const char* name : { names::Region, names::RegionLeft })
+  {
+    ColumnWriting::AddColumn<vtkIntArray>(boundary->GetCellData(), name, mesh.boundary,
+      [&](const QuadBoundaryEdge& edge) { return find(edge.points[0], edge.points[1]); });
+  }
   ColumnWriting::AddColumn<vtkIntArray>(boundary->GetCellData(), names::RegionRight, mesh.boundary,
     [&](const QuadBoundaryEdge& edge) { return find(edge.points[1], edge.points[0]); });
-  const auto text = [](const std::string& name) { return name; };
-  ColumnWriting::AddColumn<vtkStringArray>(
-    report, names::MaterialName, regions.set.materials, text);
-  ColumnWriting::AddIntegers(report, names::MaterialValue, regions.values);
+  if (regions.areNamed)
+  {
+    ColumnWriting::AddColumn<vtkStringArray>(report, names::RegionName, regions.set.materials,
+      [](const std::string& name) { return name; });
+  }
   using crossfield::RegionReport;
-  ColumnWriting::AddColumn<vtkStringArray>(report, names::RegionName, result.regions,
+  ColumnWriting::AddColumn<vtkStringArray>(report, names::RegionMaterial, result.regions,
     [&](const RegionReport& region)
     { return result.materials[static_cast<std::size_t>(region.material)]; });
   ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionQuads, result.regions,

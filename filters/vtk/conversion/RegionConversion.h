@@ -21,6 +21,7 @@ struct Regions
   crossfield::RegionSet set;
   crossfield::DomainPlane plane;
   std::vector<int> values; ///< Value of each material in the array `Region`.
+  bool areNamed = false;   ///< Whether materials are strings.
 
   /** Returns the domains of the regions. */
   std::vector<DomainConversion::Domain> Domains() const;
@@ -28,16 +29,16 @@ struct Regions
 
 /**
  * Reads the regions of the surface cells of a data set, whose materials are in a cell array of strings or integers.
- * The values of integers are kept, strings have values from 0 in their order. Throws crossfield::Error as
- * crossfield::MakeRegionSet does.
+ * Values are those of the integers, or the numbers of strings in the order of their first cells. Throws
+ * crossfield::Error as crossfield::MakeRegionSet does.
  */
 Regions Read(vtkDataSet* input, const std::string& array);
 
 /**
- * Adds `Region` (int), the value of the material, to the quads and to the cells of blocks, and `RegionLeft` and
- * `RegionRight` to boundary edges (−1 outside). To the report it adds for each material `MaterialName` (string) and
- * `MaterialValue` (int), its name and value, and for each region `RegionName` (string), its material, and
- * `RegionQuads`, `RegionRequiredInteriorQuarters` and `RegionGivenInteriorQuarters` (int).
+ * Adds `Region` (int), the value of the material, to the quads, to the cells of blocks and to boundary edges, where it
+ * is that on their left, and `RegionLeft` and `RegionRight` to boundary edges (−1 outside). To the report it adds, if
+ * materials are strings, `RegionName` (string), the material of each value, and for each region `RegionMaterial`
+ * (string), `RegionQuads`, `RegionRequiredInteriorQuarters` and `RegionGivenInteriorQuarters` (int).
  */
 void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
   vtkUnstructuredGrid* quads, vtkMultiBlockDataSet* blocks, vtkPolyData* boundary,

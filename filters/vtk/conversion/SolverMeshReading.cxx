@@ -140,31 +140,27 @@ std::vector<crossfield::MeshBlock> ReadBlocks(const SolverMesh& mesh, vtkCellDat
 void ReadRegions(vtkUnstructuredGrid* grid, SolverMesh& mesh)
 {
   vtkDataArray* regions = grid->GetCellData()->GetArray(names::Region);
-  auto* materials =
-    vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(names::MaterialName));
-  vtkDataArray* values = grid->GetFieldData()->GetArray(names::MaterialValue);
-  if (regions == nullptr || materials == nullptr || values == nullptr ||
-    materials->GetNumberOfValues() != values->GetNumberOfTuples())
+  if (regions == nullptr || regions->GetNumberOfComponents() != 1)
   {
     return;
   }
-  std::map<int, int> number;
-  mesh.regionNames.clear();
-  for (vtkIdType i = 0; i < materials->GetNumberOfValues(); ++i)
+  std::map<int, int> numbers;
+  for (const int cell : mesh.sources.cells)
   {
-    number[static_cast<int>(values->GetTuple1(i))] = static_cast<int>(i);
-    mesh.regionNames.push_back(materials->GetValue(i));
+    numbers.emplace(static_cast<int>(regions->GetTuple1(cell)), 0);
+  }
+  auto* texts =
+    vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(names::RegionName));
+  mesh.regionNames.clear();
+  for (auto& [value, number] : numbers)
+  {
+    number = static_cast<int>(mesh.regionNames.size());
+    const bool isNamed = texts != nullptr && value >= 0 && value < texts->GetNumberOfValues();
+    mesh.regionNames.push_back(isNamed ? texts->GetValue(value) : std::to_string(value));
   }
   for (std::size_t cell = 0; cell < mesh.region.size(); ++cell)
   {
-    const auto value = static_cast<int>(regions->GetTuple1(mesh.sources.cells[cell]));
-    const auto found = number.find(value);
-    if (found == number.end())
-    {
-      throw Error("The cells have the region " + std::to_string(value) +
-        ", which is none of the materials; give the quads of a Quad Mesher.");
-    }
-    mesh.region[cell] = found->second;
+    mesh.region[cell] = numbers.at(static_cast<int>(regions->GetTuple1(mesh.sources.cells[cell])));
   }
 }
 

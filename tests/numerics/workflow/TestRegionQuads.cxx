@@ -469,6 +469,24 @@ TEST(RegionQuads, HaveCountsOfInterfaces)
   EXPECT_EQ(edges, 23);
 }
 
+TEST(RegionQuads, HaveSizesInsideOfMaterials)
+{
+  const RegionSet set = MakeRegionSet(FibreInSquare(0.4));
+  QuadRequest request;
+  request.quadSize = 0.12;
+  request.sideRequests.emplace_back();
+  request.sideRequests.back().side = "fibre";
+  request.sideRequests.back().inside = 0.05;
+  const QuadWorkflowResult result = MakeQuadsOfRegions(set, PartsOf(set), request);
+  ExpectConforming(result, 4.0, 1);
+  // Four singularities around the fibre leave a factor; sizes grow in the matrix from the interface.
+  const double size = std::sqrt(Pi * 0.16 / static_cast<double>(result.regions[0].quads));
+  EXPECT_GT(size, 0.045);
+  EXPECT_LT(size, 0.065);
+  EXPECT_GT(result.regions[1].quads, 300U);
+  EXPECT_LT(result.regions[1].quads, 900U);
+}
+
 TEST(RegionQuads, KeepGivenSingularities)
 {
   const RegionSet set = MakeRegionSet(FibreInSquare(0.5));

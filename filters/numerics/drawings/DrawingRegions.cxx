@@ -1,0 +1,478 @@
+#include "DrawingRegions.h"
+
+#include "EndGrid.h"
+#include "PieceChains.h"
+#include "PieceSampling.h"
+#include "PolygonTriangulation.h"
+#include "UnionFind.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// A polyline between two nodes; its ends are exactly at these.
+struct Line
+{
+  Loop points;
+  std::string name;
+};
+
+bool AreEqual(const Point& a, const Point& b)
+{
+  return a.x() == b.x() && a.y() == b.y();
+}
+
+struct Place
+{
+  std::size_t segment = 0;
+  double part = 0.0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// Returns the place of a polyline nearest to a point.
+Place NearestOn(const Loop& points, const Point& place)
+{
+  Place nearest;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    const Point along = points[i + 1] - points[i];
+    const double squared = along.squaredNorm();
+    const double part =
+      squared > 0.0 ? std::clamp((place - points[i]).dot(along) / squared, 0.0, 1.0) : 0.0;
+    const double distance = (points[i] + part * along - place).norm();
+    if (distance < nearest.distance)
+    {
+      nearest = { i, part, distance };
+    }
+  }
+  return nearest;
+}
+
+/// Lines whose ends meet, divided where others end on them or cross them.
+class LineNetwork
+{
+public:
+  LineNetwork(const Drawing& drawing, double tolerance, double turn)
+    : Tolerance(tolerance)
+  {
+    const double extent = ExtentOf(drawing.pieces);
+    constexpr double Distance = 1e-4; // as in TraceOutline
+    constexpr double Shortest = 1e-6;
+    const SamplingRule rule = { turn, Distance * extent, Shortest * extent };
+    for (const DrawingPiece& piece : drawing.pieces)
+    {
+      Line line;
+      line.name = piece.name;
+      const std::vector<double> parameters = SampleParameters(piece, rule);
+      for (std::size_t i = 0; i < parameters.size(); ++i)
+      {
+        line.points.push_back(i == 0     ? piece.first
+            : i + 1 == parameters.size() ? piece.last
+                                         : PointAt(piece, parameters[i]));
+      }
+      if (ApproximateLength(piece) > tolerance)
+      {
+        this->Lines.push_back(std::move(line));
+      }
+    }
+    this->JoinEnds();
+    this->DivideAtEnds();
+    this->DivideAtCrossings();
+    this->RemoveCopies();
+  }
+
+  std::vector<Line> Lines;
+
+private:
+  /// Moves ends that are near each other to the place of the first one.
+  void JoinEnds()
+  {
+    std::vector<Point*> ends;
+    for (Line& line : this->Lines)
+    {
+      ends.push_back(&line.points.front());
+      ends.push_back(&line.points.back());
+    }
+    EndGrid grid(this->Tolerance);
+    UnionFind sets(ends.size());
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      for (const std::size_t other : grid.Near(*ends[i]))
+      {
+        if ((*ends[i] - *ends[other]).norm() <= this->Tolerance)
+        {
+          sets.Join(static_cast<int>(i), static_cast<int>(other));
+        }
+      }
+      grid.Add(*ends[i], i);
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      *ends[i] = *ends[static_cast<std::size_t>(sets.Find(static_cast<int>(i)))];
+    }
+  }
+
+  /// Divides a line at a place, which becomes one of its points.
+  void Divide(std::size_t number, const Place& at, const Point& place)
+  {
+    Line& line = this->Lines[number];
+    Line rest{ { place }, line.name };
+    const auto after = line.points.begin() + static_cast<std::ptrdiff_t>(at.segment) + 1;
+    // A point of the sampling that is nearly there would leave a tiny segment.
+    const bool skips = (*after - place).norm() <= this->Tolerance && after + 1 != line.points.end();
+    rest.points.insert(rest.points.end(), skips ? after + 1 : after, line.points.end());
+    line.points.erase(after, line.points.end());
+    if (line.points.size() > 1 && (line.points.back() - place).norm() <= this->Tolerance)
+    {
+      line.points.pop_back();
+    }
+    line.points.push_back(place);
+    this->Lines.push_back(std::move(rest));
+  }
+
+  void DivideAtEnds()
+  {
+    std::vector<Point> ends;
+    for (const Line& line : this->Lines)
+    {
+      ends.push_back(line.points.front());
+      ends.push_back(line.points.back());
+    }
+    for (const Point& end : ends)
+    {
+      for (std::size_t i = 0; i < this->Lines.size(); ++i)
+      {
+        const Loop& points = this->Lines[i].points;
+        if (AreEqual(points.front(), end) || AreEqual(points.back(), end))
+        {
+          continue;
+        }
+        const Place at = NearestOn(points, end);
+        if (at.distance <= this->Tolerance)
+        {
+          this->Divide(i, at, end);
+        }
+      }
+    }
+  }
+
+  /// Returns a point where two lines cross inside of both.
+  std::optional<std::pair<Place, Place>> FindCrossing(const Line& one, const Line& two) const
+  {
+    for (std::size_t i = 0; i + 1 < one.points.size(); ++i)
+    {
+      const Point& a = one.points[i];
+      const Point u = one.points[i + 1] - a;
+      for (std::size_t j = 0; j + 1 < two.points.size(); ++j)
+      {
+        const Point& b = two.points[j];
+        const Point v = two.points[j + 1] - b;
+        const double cross = Cross(u, v);
+        if (cross == 0.0)
+        {
+          continue;
+        }
+        const double s = Cross(b - a, v) / cross;
+        const double t = Cross(b - a, u) / cross;
+        const Point place = a + s * u;
+        const auto isEnd = [&](const Loop& points)
+        {
+          return (points.front() - place).norm() <= this->Tolerance ||
+            (points.back() - place).norm() <= this->Tolerance;
+        };
+        if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0 && !isEnd(one.points) &&
+          !isEnd(two.points))
+        {
+          return std::make_pair(Place{ i, s, 0.0 }, Place{ j, t, 0.0 });
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  void DivideAtCrossings()
+  {
+    for (std::size_t i = 0; i < this->Lines.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < this->Lines.size(); ++j)
+      {
+        const auto crossing = this->FindCrossing(this->Lines[i], this->Lines[j]);
+        if (crossing)
+        {
+          const Loop& points = this->Lines[i].points;
+          const Place& at = crossing->first;
+          const Point place =
+            points[at.segment] + at.part * (points[at.segment + 1] - points[at.segment]);
+          this->Divide(i, crossing->first, place);
+          this->Divide(j, crossing->second, place);
+          --j; // the two may cross again
+        }
+      }
+    }
+  }
+
+  /// Removes lines that are drawn twice.
+  void RemoveCopies()
+  {
+    std::vector<Line> kept;
+    for (Line& line : this->Lines)
+    {
+      const Point middle = line.points.size() > 2 ? line.points[line.points.size() / 2]
+                                                  : Point(0.5 * (line.points[0] + line.points[1]));
+      const bool isCopy = std::any_of(kept.begin(), kept.end(),
+        [&](const Line& other)
+        {
+          const Point& a = other.points.front();
+          const Point& b = other.points.back();
+          const bool sameEnds =
+            (AreEqual(a, line.points.front()) && AreEqual(b, line.points.back())) ||
+            (AreEqual(b, line.points.front()) && AreEqual(a, line.points.back()));
+          return sameEnds && NearestOn(other.points, middle).distance <= 10.0 * this->Tolerance;
+        });
+      if (!isCopy)
+      {
+        kept.push_back(std::move(line));
+      }
+    }
+    this->Lines = std::move(kept);
+  }
+
+  const double Tolerance;
+};
+
+/// The faces of a network.
+class FaceTracer
+{
+public:
+  explicit FaceTracer(const std::vector<Line>& lines)
+    : Lines(lines)
+  {
+    for (int half = 0; half < 2 * static_cast<int>(lines.size()); ++half)
+    {
+      this->Leaving[KeyOf(this->PointsOf(half).front())].push_back(half);
+    }
+    for (auto& [node, halves] : this->Leaving)
+    {
+      std::sort(halves.begin(), halves.end(),
+        [this](int a, int b) { return this->AngleOf(a) < this->AngleOf(b); });
+    }
+  }
+
+  bool HasOpenEnds() const
+  {
+    return std::any_of(this->Leaving.begin(), this->Leaving.end(),
+      [](const auto& node) { return node.second.size() < 2; });
+  }
+
+  /// Returns each face as one polygon, with slits to its holes, the largest first.
+  std::vector<Loop> Trace()
+  {
+    std::vector<bool> done(2 * this->Lines.size(), false);
+    std::vector<Loop> outer;
+    std::vector<Loop> closed;   // curves that meet no other
+    std::vector<Loop> outlines; // of connected sets of lines, clockwise
+    for (int start = 0; start < static_cast<int>(done.size()); ++start)
+    {
+      if (done[static_cast<std::size_t>(start)])
+      {
+        continue;
+      }
+      Loop loop;
+      int lines = 0;
+      for (int half = start; !done[static_cast<std::size_t>(half)]; half = this->NextOf(half))
+      {
+        done[static_cast<std::size_t>(half)] = true;
+        const Loop points = this->PointsOf(half);
+        loop.insert(loop.end(), points.begin(), points.end() - 1);
+        ++lines;
+      }
+      (SignedArea(loop) < 0.0 ? outlines : lines == 1 ? closed : outer).push_back(std::move(loop));
+    }
+    // A closed curve inside of a region is a hole, one around others a region.
+    for (Loop& loop : closed)
+    {
+      const auto contains = [&loop](const Loop& other)
+      { return &other != &loop && !other.empty() && Contains(other, loop); };
+      if (std::none_of(outer.begin(), outer.end(), contains) &&
+        std::none_of(closed.begin(), closed.end(), contains))
+      {
+        outer.push_back(std::move(loop));
+      }
+    }
+    std::sort(outer.begin(), outer.end(),
+      [](const Loop& a, const Loop& b) { return SignedArea(a) > SignedArea(b); });
+    std::vector<Loop> faces = outer;
+    for (const Loop& outline : outlines)
+    {
+      // The smallest face around it.
+      for (std::size_t f = outer.size(); f-- > 0;)
+      {
+        if (Contains(outer[f], outline))
+        {
+          JoinHole(outline, faces[f]);
+          break;
+        }
+      }
+    }
+    return faces;
+  }
+
+private:
+  using Key = std::pair<double, double>;
+  static Key KeyOf(const Point& place) { return { place.x(), place.y() }; }
+
+  /// Returns the points of a line in one of its two directions.
+  Loop PointsOf(int half) const
+  {
+    Loop points = this->Lines[static_cast<std::size_t>(half / 2)].points;
+    if (half % 2 == 1)
+    {
+      std::reverse(points.begin(), points.end());
+    }
+    return points;
+  }
+
+  double AngleOf(int half) const
+  {
+    const Loop points = this->PointsOf(half);
+    const Point direction = points[1] - points[0];
+    return std::atan2(direction.y(), direction.x());
+  }
+
+  /// Returns the next direction around the face on the left: the first one clockwise from the way back.
+  int NextOf(int half) const
+  {
+    const std::vector<int>& halves = this->Leaving.at(KeyOf(this->PointsOf(half).back()));
+    const auto back = std::find(halves.begin(), halves.end(), half ^ 1);
+    return back == halves.begin() ? halves.back() : *(back - 1);
+  }
+
+  /// Returns whether a polygon contains another one, of a set of lines that it does not meet.
+  static bool Contains(const Loop& polygon, const Loop& other)
+  {
+    const Point& place = other[0];
+    bool isInside = false;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      const Point& a = polygon[i];
+      const Point& b = polygon[(i + 1) % polygon.size()];
+      if (AreEqual(a, place))
+      {
+        return false; // its own outline
+      }
+      if ((a.y() > place.y()) != (b.y() > place.y()) &&
+        place.x() < a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      {
+        isInside = !isInside;
+      }
+    }
+    return isInside;
+  }
+
+  /// Returns whether a segment between two points of loops crosses a side of a loop.
+  static bool Crosses(const Point& from, const Point& to, const Loop& loop)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const Point& a = loop[i];
+      const Point& b = loop[(i + 1) % loop.size()];
+      if (AreEqual(a, from) || AreEqual(a, to) || AreEqual(b, from) || AreEqual(b, to))
+      {
+        continue;
+      }
+      const bool isDivided = Cross(to - from, a - from) * Cross(to - from, b - from) <= 0.0;
+      if (isDivided && Cross(b - a, from - a) * Cross(b - a, to - a) <= 0.0)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Joins a clockwise hole to a polygon by a slit, the shortest that crosses neither.
+  static void JoinHole(const Loop& hole, Loop& polygon)
+  {
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      for (std::size_t j = 0; j < hole.size(); ++j)
+      {
+        pairs.push_back({ i, j });
+      }
+    }
+    const auto lengthOf = [&](const std::array<std::size_t, 2>& pair)
+    { return (polygon[pair[0]] - hole[pair[1]]).squaredNorm(); };
+    std::sort(pairs.begin(), pairs.end(),
+      [&](const auto& a, const auto& b)
+      { return std::pair(lengthOf(a), a) < std::pair(lengthOf(b), b); });
+    for (const auto& [i, j] : pairs)
+    {
+      if (!Crosses(polygon[i], hole[j], polygon) && !Crosses(polygon[i], hole[j], hole))
+      {
+        Loop slit;
+        for (std::size_t k = 0; k <= hole.size(); ++k)
+        {
+          slit.push_back(hole[(j + k) % hole.size()]);
+        }
+        slit.push_back(polygon[i]);
+        polygon.insert(
+          polygon.begin() + static_cast<std::ptrdiff_t>(i) + 1, slit.begin(), slit.end());
+        return;
+      }
+    }
+  }
+
+  const std::vector<Line>& Lines;
+  std::map<Key, std::vector<int>> Leaving; ///< Directions of lines by where they start, by angle.
+};
+}
+
+bool TraceRegions(double tolerance, double turn, Drawing& drawing)
+{
+  const LineNetwork network(
+    drawing, tolerance > 0.0 ? tolerance : DefaultJoinTolerance(drawing.pieces), turn);
+  FaceTracer tracer(network.Lines);
+  if (tracer.HasOpenEnds())
+  {
+    return false;
+  }
+  const std::vector<Loop> faces = tracer.Trace();
+  if (faces.size() < 2)
+  {
+    return false;
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    const std::string material = "region" + std::to_string(f + 1);
+    for (const std::array<int, 3>& triangle : TriangulatePolygon(faces[f]))
+    {
+      DrawingFace face;
+      face.material = material;
+      for (const int corner : triangle)
+      {
+        face.points.push_back(faces[f][static_cast<std::size_t>(corner)]);
+      }
+      drawing.faces.push_back(std::move(face));
+    }
+  }
+  drawing.pieces.clear();
+  for (const Line& line : network.Lines)
+  {
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+    {
+      drawing.pieces.push_back(LinePiece(line.points[i - 1], line.points[i]));
+      drawing.pieces.back().name = line.name;
+    }
+  }
+  return true;
+}
+}

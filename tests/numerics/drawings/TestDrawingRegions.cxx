@@ -1,0 +1,138 @@
+// Regions between curves of a drawing that branch, cross or end on each other.
+
+#include "DrawingRegions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+namespace crossfield::test
+{
+namespace
+{
+constexpr double Turn = Pi / 36.0;
+
+Drawing Lines(const std::vector<std::pair<Point, Point>>& ends)
+{
+  Drawing drawing;
+  for (const auto& [first, last] : ends)
+  {
+    drawing.pieces.push_back(LinePiece(first, last));
+  }
+  return drawing;
+}
+
+Drawing Square(double half = 1.0)
+{
+  return Lines({ { { -half, -half }, { half, -half } }, { { half, -half }, { half, half } },
+    { { half, half }, { -half, half } }, { { -half, half }, { -half, -half } } });
+}
+
+DrawingPiece ArcPiece(double radius, double begin, double end)
+{
+  PlaneCurve curve;
+  curve.kind = PlaneCurve::Kind::Circle;
+  curve.axis = Point(radius, 0.0);
+  curve.ratio = 1.0;
+  return CurvePiece(curve, begin, end);
+}
+
+/// Returns the area of each material.
+std::map<std::string, double> AreasOf(const Drawing& drawing)
+{
+  std::map<std::string, double> areas;
+  for (const DrawingFace& face : drawing.faces)
+  {
+    EXPECT_GT(SignedArea(face.points), 0.0);
+    areas[face.material] += SignedArea(face.points);
+  }
+  return areas;
+}
+
+TEST(DrawingRegions, AreThreeGrains)
+{
+  Drawing drawing;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double angle = 2.0 * Pi * i / 3.0;
+    drawing.pieces.push_back(ArcPiece(1.0, angle, angle + 2.0 * Pi / 3.0));
+    drawing.pieces.push_back(LinePiece({ 0, 0 }, { std::cos(angle), std::sin(angle) }));
+    drawing.pieces.back().name = "boundary";
+  }
+  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
+  const std::map<std::string, double> areas = AreasOf(drawing);
+  ASSERT_EQ(areas.size(), 3U);
+  for (const auto& [name, area] : areas)
+  {
+    EXPECT_NEAR(area, Pi / 3.0, 0.01);
+  }
+  EXPECT_EQ(std::count_if(drawing.pieces.begin(), drawing.pieces.end(),
+              [](const DrawingPiece& piece) { return piece.name == "boundary"; }),
+    3);
+}
+
+TEST(DrawingRegions, AreDividedWhereLinesEndOnOthersOrCross)
+{
+  Drawing drawing = Square();
+  for (const DrawingPiece& piece :
+    Lines({ { { -1.0, 0.2 }, { 1.0, 0.2 } }, { { 0.3, -1.0 }, { 0.3, 1.0 } },
+            { { -0.4, -1.0 }, { -0.4, 0.2 + 1e-9 } } })
+      .pieces)
+  {
+    drawing.pieces.push_back(piece);
+  }
+  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
+  const std::map<std::string, double> areas = AreasOf(drawing);
+  ASSERT_EQ(areas.size(), 5U);
+  EXPECT_NEAR(areas.at("region1"), 1.3 * 0.8, 1e-8);
+  EXPECT_NEAR(areas.at("region2"), 0.7 * 1.2, 1e-8);
+  double sum = 0.0;
+  for (const auto& [name, area] : areas)
+  {
+    sum += area;
+  }
+  EXPECT_NEAR(sum, 4.0, 1e-8);
+}
+
+TEST(DrawingRegions, HaveHolesWhereClosedCurvesMeetNoOther)
+{
+  Drawing drawing = Square();
+  drawing.pieces.push_back(LinePiece({ -1.0, 0.6 }, { 1.0, 0.6 }));
+  drawing.pieces.push_back(ArcPiece(0.3, 0.0, 2.0 * Pi));
+  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
+  const std::map<std::string, double> areas = AreasOf(drawing);
+  ASSERT_EQ(areas.size(), 2U);
+  EXPECT_NEAR(areas.at("region1"), 3.2 - Pi * 0.09, 0.002);
+  // A circle around all of it is the outline of another region.
+  drawing = Square(0.5);
+  drawing.pieces.push_back(LinePiece({ -0.5, 0.1 }, { 0.5, 0.1 }));
+  drawing.pieces.push_back(ArcPiece(1.0, 0.0, 2.0 * Pi));
+  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
+  const std::map<std::string, double> around = AreasOf(drawing);
+  ASSERT_EQ(around.size(), 3U);
+  EXPECT_NEAR(around.at("region1"), Pi - 1.0, 0.01);
+}
+
+TEST(DrawingRegions, DoNotCountLinesTwice)
+{
+  Drawing drawing = Square();
+  drawing.pieces.push_back(LinePiece({ 0.0, -1.0 }, { 0.0, 1.0 }));
+  drawing.pieces.push_back(LinePiece({ 0.0, 1.0 }, { 0.0, -1.0 }));
+  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
+  EXPECT_EQ(AreasOf(drawing).size(), 2U);
+}
+
+TEST(DrawingRegions, NeedClosedLines)
+{
+  Drawing drawing = Square();
+  drawing.pieces.push_back(LinePiece({ -1.0, 0.0 }, { 0.5, 0.0 }));
+  const std::size_t before = drawing.pieces.size();
+  EXPECT_FALSE(TraceRegions(0.0, Turn, drawing));
+  EXPECT_EQ(drawing.pieces.size(), before);
+  EXPECT_TRUE(drawing.faces.empty());
+  Drawing square = Square();
+  EXPECT_FALSE(TraceRegions(0.0, Turn, square));
+}
+}
+}
