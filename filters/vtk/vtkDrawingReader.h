@@ -25,9 +25,12 @@
  * A line turns by at most SamplingAngle and is at most 1e-4 of the extent away from its curve. Ends
  * of curves are exact.
  *
+ * If curves branch, cross or end on each other, or a mesh has several physical surfaces, the output also has
+ * polygons, which cover the regions between the lines, with the cell array `Material` (strings), empty for lines.
+ *
  * Entities that are no curves, repeated curves and closed gaps are reported as warnings. The reader
- * fails, with an empty output and the place, if the file is damaged, if curves do not close or more
- * than two meet at a point, and if the curves are not in one plane.
+ * fails, with an empty output and the place, if the file is damaged, if curves do not close, and if they are
+ * not in one plane.
  *
  * @sa vtkPlanarDomainReader, vtkPlanarDomainSource
  */

@@ -246,6 +246,11 @@ QuadWorkflowResult QuadSteps::MakeQuads(double refinement, const Progress& progr
   return std::move(this->Result);
 }
 
+void QuadSteps::MoveTo(Configuration singularities)
+{
+  this->Result.singularities = this->Start = this->BeforeRepair = std::move(singularities);
+}
+
 Layout QuadSteps::LayOutOnly(double refinement, const Progress& progress)
 {
   Layout layout = this->MakeLayout(refinement, progress);

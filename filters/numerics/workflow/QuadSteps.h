@@ -33,6 +33,8 @@ public:
   /// LayOut, MakeQuads and AddLayers do.
   QuadWorkflowResult MakeQuads(double refinement, const Progress& progress);
 
+  /// Continues with the singularities at other positions.
+  void MoveTo(Configuration singularities);
   /// Meshes, solves for the map and traces the separatrices only. Throws Error as MakeQuads does.
   Layout LayOutOnly(double refinement, const Progress& progress);
   /// Returns what is known about singularities and corners so far.

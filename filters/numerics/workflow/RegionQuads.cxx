@@ -1,5 +1,6 @@
 #include "RegionQuads.h"
 
+#include "BoundarySymmetry.h"
 #include "CurveSteps.h"
 #include "HField.h"
 #include "Index.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -56,21 +58,25 @@ struct LaidOutRegion
 {
   PlanarDomain domain; ///< With curves sampled.
   ResolvedRequest request;
+  std::optional<QuadSteps> placed; ///< With singularities, before the layout; refers to `domain`.
   QuadWorkflowResult result;
   Layout layout;
 };
 
-/// Lays out one region, on a finer mesh or with the holonomy repaired if it fails otherwise.
-LaidOutRegion LayOutRegion(const PlanarDomain& polygons, const QuadRequest& own,
-  QuadSeconds& seconds, const Progress& progress)
+/// Chooses the singularities of a region unless they are given.
+void Place(const PlanarDomain& polygons, const QuadRequest& own, QuadSeconds& seconds,
+  const Progress& progress, LaidOutRegion& region)
 {
-  const ResolvedRequest resolved = Resolve(polygons, own);
-  CurvedRequest curved = WithCurves(polygons, resolved);
-  LaidOutRegion region;
+  CurvedRequest curved = WithCurves(polygons, Resolve(polygons, own));
   region.domain = std::move(curved.domain);
   region.request = WithSizeTargets(region.domain, curved.request);
-  QuadSteps placed(region.domain, region.request, seconds);
-  placed.Place(progress.Part(0.0, 0.7));
+  region.placed.emplace(region.domain, region.request, seconds);
+  region.placed->Place(progress);
+}
+
+/// Lays out a region, on a finer mesh or with the holonomy repaired if it fails otherwise.
+void LayOut(const Progress& progress, LaidOutRegion& region)
+{
   std::optional<Error> error;
   for (const bool repairs : { false, true })
   {
@@ -79,18 +85,18 @@ LaidOutRegion LayOutRegion(const PlanarDomain& polygons, const QuadRequest& own,
       Outcome<bool> outcome = Try(
         [&]
         {
-          QuadSteps steps = placed;
+          QuadSteps steps = *region.placed;
           if (repairs)
           {
             steps.RepairHolonomy({});
           }
-          region.layout = steps.LayOutOnly(refinement, progress.Part(0.7, 1.0));
+          region.layout = steps.LayOutOnly(refinement, progress);
           region.result = steps.GetResult();
           return true;
         });
       if (outcome.value)
       {
-        return region;
+        return;
       }
       error = error ? error : outcome.error;
       if (outcome.error->GetKind() != Error::Kind::CoarseMesh)
@@ -104,6 +110,62 @@ LaidOutRegion LayOutRegion(const PlanarDomain& polygons, const QuadRequest& own,
     }
   }
   throw Error(*error);
+}
+
+/// Returns what a region's energy is with singularities turned about a centre, beside others, but for a
+/// constant: −Σ k_i k_j log |x_i − x_j|.
+double EnergyOfTurn(const Configuration& own, const Configuration& others, const Isometry& turn)
+{
+  double energy = 0.0;
+  for (const Singularity& one : own)
+  {
+    const Point place = turn(one.position);
+    for (const Singularity& other : others)
+    {
+      energy -= one.quarterIndex * other.quarterIndex * std::log((place - other.position).norm());
+    }
+  }
+  return energy;
+}
+
+/// Returns the rotation of singularities about a centre with the lowest energy, the identity if none is
+/// lower by more than rounding.
+Isometry LowestTurn(const Configuration& own, const Configuration& others, const Point& centre)
+{
+  constexpr int Directions = 360; // more than minima
+  const auto energyAt = [&](double angle) {
+    return EnergyOfTurn(own, others, { centre, angle, false });
+  };
+  double best = 0.0;
+  constexpr double Rounding = 1e-9;
+  const double present = energyAt(0.0);
+  double lowest = present;
+  for (int i = 1; i < Directions; ++i)
+  {
+    const double angle = 2.0 * Pi * i / Directions;
+    if (energyAt(angle) < lowest - Rounding)
+    {
+      lowest = energyAt(angle);
+      best = angle;
+    }
+  }
+  double low = best - 2.0 * Pi / Directions;
+  double high = best + 2.0 * Pi / Directions;
+  constexpr int Thirds = 60; // (2/3)⁶⁰ of the interval
+  for (int i = 0; i < Thirds; ++i)
+  {
+    const double third = (high - low) / 3.0;
+    if (energyAt(low + third) < energyAt(high - third))
+    {
+      high -= third;
+    }
+    else
+    {
+      low += third;
+    }
+  }
+  const double angle = 0.5 * (low + high);
+  return { centre, energyAt(angle) < present - Rounding ? angle : 0.0, false };
 }
 
 /// Returns the quarter index that a boundary has by the smallest rotation at one of its vertices; 0 if
@@ -272,7 +334,9 @@ private:
     return this->Set.materials[Index(this->Set.regions[region].material)];
   }
 
-  void LayOutRegions(const Progress& progress)
+  /// Calls a step for each region, with its part of the progress.
+  template <class Step>
+  void ForRegions(const Progress& progress, const Step& step)
   {
     double done = 0.0;
     for (std::size_t r = 0; r < this->Parts.size(); ++r)
@@ -280,8 +344,7 @@ private:
       const double end = std::min(1.0, done + this->Requests[r].share);
       try
       {
-        this->Regions.push_back(LayOutRegion(this->Parts[r].domain, this->Requests[r].request,
-          this->Result.seconds, progress.Part(done, end)));
+        step(r, progress.Part(done, end));
       }
       catch (const Error& error)
       {
@@ -291,7 +354,59 @@ private:
       }
       done = end;
     }
+  }
+
+  void LayOutRegions(const Progress& progress)
+  {
+    this->Regions.resize(this->Parts.size());
+    this->ForRegions(progress.Part(0.0, 0.7),
+      [&](std::size_t r, const Progress& part)
+      {
+        Place(this->Parts[r].domain, this->Requests[r].request, this->Result.seconds, part,
+          this->Regions[r]);
+      });
+    this->TurnRoundRegions();
+    this->ForRegions(progress.Part(0.7, 1.0),
+      [&](std::size_t r, const Progress& part) { LayOut(part, this->Regions[r]); });
     this->UpdateNodeCorners();
+  }
+
+  /// Turns the chosen singularities of round regions to where they and those of the other regions have
+  /// the lowest energy: by themselves such regions have no preferred direction.
+  void TurnRoundRegions()
+  {
+    constexpr int Round = 12; // fewest symmetries: a regular polygon without corners
+    constexpr int Sweeps = 2; // with several, each depends on the others
+    for (int sweep = 0; sweep < Sweeps; ++sweep)
+    {
+      for (std::size_t r = 0; r < this->Regions.size(); ++r)
+      {
+        LaidOutRegion& region = this->Regions[r];
+        const SymmetryGroup group = FindSymmetries(region.domain);
+        if (group.order < Round || this->Requests[r].request.singularities ||
+          region.request.targets)
+        {
+          continue;
+        }
+        Configuration others;
+        for (std::size_t o = 0; o < this->Regions.size(); ++o)
+        {
+          const Configuration& those = this->Regions[o].placed->GetResult().singularities;
+          others.insert(others.end(), o == r ? those.end() : those.begin(), those.end());
+        }
+        const Configuration own = region.placed->GetResult().singularities;
+        const Isometry best = LowestTurn(own, others, group.centre);
+        if (best.angle != 0.0)
+        {
+          Configuration turned = own;
+          for (Singularity& one : turned)
+          {
+            one.position = best(one.position);
+          }
+          region.placed->MoveTo(std::move(turned));
+        }
+      }
+    }
   }
 
   /// Sets the indices of corners at nodes to those used, which differ where a singularity is there.
@@ -705,9 +820,9 @@ private:
   const std::vector<double> SizesInside; ///< Per material.
   std::vector<PartRequest> Requests;
   std::vector<std::vector<RegionCorner>> NodeCorners; ///< Per node of the set.
-  std::vector<LaidOutRegion> Regions;
-  std::vector<std::size_t> Patches; ///< First patch of each region, and their number.
-  BoundarySides Sides;              ///< Of all regions.
+  std::deque<LaidOutRegion> Regions; ///< Steps refer to domains, which do not move.
+  std::vector<std::size_t> Patches;  ///< First patch of each region, and their number.
+  BoundarySides Sides;               ///< Of all regions.
   CurvedBoundary Curves;
   SidePrescriptions Prescribed;
   LayoutSet Layouts;
