@@ -2,6 +2,8 @@
 
 #include "DrawingRegions.h"
 
+#include "CurvePieces.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,15 +31,6 @@ Drawing Square(double half = 1.0)
     { { half, half }, { -half, half } }, { { -half, half }, { -half, -half } } });
 }
 
-DrawingPiece ArcPiece(double radius, double begin, double end)
-{
-  PlaneCurve curve;
-  curve.kind = PlaneCurve::Kind::Circle;
-  curve.axis = Point(radius, 0.0);
-  curve.ratio = 1.0;
-  return CurvePiece(curve, begin, end);
-}
-
 /// Returns the area of each material.
 std::map<std::string, double> AreasOf(const Drawing& drawing)
 {
@@ -56,7 +49,7 @@ TEST(DrawingRegions, AreThreeGrains)
   for (int i = 0; i < 3; ++i)
   {
     const double angle = 2.0 * Pi * i / 3.0;
-    drawing.pieces.push_back(ArcPiece(1.0, angle, angle + 2.0 * Pi / 3.0));
+    drawing.pieces.push_back(ArcPiece({ 0, 0 }, 1.0, 120.0 * i, 120.0 * (i + 1), ""));
     drawing.pieces.push_back(LinePiece({ 0, 0 }, { std::cos(angle), std::sin(angle) }));
     drawing.pieces.back().name = "boundary";
   }
@@ -99,7 +92,7 @@ TEST(DrawingRegions, HaveHolesWhereClosedCurvesMeetNoOther)
 {
   Drawing drawing = Square();
   drawing.pieces.push_back(LinePiece({ -1.0, 0.6 }, { 1.0, 0.6 }));
-  drawing.pieces.push_back(ArcPiece(0.3, 0.0, 2.0 * Pi));
+  drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.3, 0.0, 360.0, ""));
   ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
   const std::map<std::string, double> areas = AreasOf(drawing);
   ASSERT_EQ(areas.size(), 2U);
@@ -107,7 +100,7 @@ TEST(DrawingRegions, HaveHolesWhereClosedCurvesMeetNoOther)
   // A circle around all of it is the outline of another region.
   drawing = Square(0.5);
   drawing.pieces.push_back(LinePiece({ -0.5, 0.1 }, { 0.5, 0.1 }));
-  drawing.pieces.push_back(ArcPiece(1.0, 0.0, 2.0 * Pi));
+  drawing.pieces.push_back(ArcPiece({ 0, 0 }, 1.0, 0.0, 360.0, ""));
   ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
   const std::map<std::string, double> around = AreasOf(drawing);
   ASSERT_EQ(around.size(), 3U);
