@@ -13,9 +13,9 @@ namespace crossfield::test
 {
 namespace
 {
-constexpr double Turn = Pi / 36.0;
+constexpr double SamplingTurn = Pi / 36.0;
 
-Drawing Lines(const std::vector<std::pair<Point, Point>>& ends)
+Drawing LineDrawing(const std::vector<std::pair<Point, Point>>& ends)
 {
   Drawing drawing;
   for (const auto& [first, last] : ends)
@@ -25,14 +25,14 @@ Drawing Lines(const std::vector<std::pair<Point, Point>>& ends)
   return drawing;
 }
 
-Drawing Square(double half = 1.0)
+Drawing SquareDrawing(double half = 1.0)
 {
-  return Lines({ { { -half, -half }, { half, -half } }, { { half, -half }, { half, half } },
+  return LineDrawing({ { { -half, -half }, { half, -half } }, { { half, -half }, { half, half } },
     { { half, half }, { -half, half } }, { { -half, half }, { -half, -half } } });
 }
 
 /// Returns the area of each material.
-std::map<std::string, double> AreasOf(const Drawing& drawing)
+std::map<std::string, double> AreasOfMaterials(const Drawing& drawing)
 {
   std::map<std::string, double> areas;
   for (const DrawingFace& face : drawing.faces)
@@ -53,8 +53,8 @@ TEST(DrawingRegions, AreThreeGrains)
     drawing.pieces.push_back(LinePiece({ 0, 0 }, { std::cos(angle), std::sin(angle) }));
     drawing.pieces.back().name = "boundary";
   }
-  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
-  const std::map<std::string, double> areas = AreasOf(drawing);
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  const std::map<std::string, double> areas = AreasOfMaterials(drawing);
   ASSERT_EQ(areas.size(), 3U);
   for (const auto& [name, area] : areas)
   {
@@ -67,16 +67,16 @@ TEST(DrawingRegions, AreThreeGrains)
 
 TEST(DrawingRegions, AreDividedWhereLinesEndOnOthersOrCross)
 {
-  Drawing drawing = Square();
+  Drawing drawing = SquareDrawing();
   for (const DrawingPiece& piece :
-    Lines({ { { -1.0, 0.2 }, { 1.0, 0.2 } }, { { 0.3, -1.0 }, { 0.3, 1.0 } },
-            { { -0.4, -1.0 }, { -0.4, 0.2 + 1e-9 } } })
+    LineDrawing({ { { -1.0, 0.2 }, { 1.0, 0.2 } }, { { 0.3, -1.0 }, { 0.3, 1.0 } },
+                  { { -0.4, -1.0 }, { -0.4, 0.2 + 1e-9 } } })
       .pieces)
   {
     drawing.pieces.push_back(piece);
   }
-  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
-  const std::map<std::string, double> areas = AreasOf(drawing);
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  const std::map<std::string, double> areas = AreasOfMaterials(drawing);
   ASSERT_EQ(areas.size(), 5U);
   EXPECT_NEAR(areas.at("region1"), 1.3 * 0.8, 1e-8);
   EXPECT_NEAR(areas.at("region2"), 0.7 * 1.2, 1e-8);
@@ -90,42 +90,42 @@ TEST(DrawingRegions, AreDividedWhereLinesEndOnOthersOrCross)
 
 TEST(DrawingRegions, HaveHolesWhereClosedCurvesMeetNoOther)
 {
-  Drawing drawing = Square();
+  Drawing drawing = SquareDrawing();
   drawing.pieces.push_back(LinePiece({ -1.0, 0.6 }, { 1.0, 0.6 }));
   drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.3, 0.0, 360.0, ""));
-  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
-  const std::map<std::string, double> areas = AreasOf(drawing);
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  const std::map<std::string, double> areas = AreasOfMaterials(drawing);
   ASSERT_EQ(areas.size(), 2U);
   EXPECT_NEAR(areas.at("region1"), 3.2 - Pi * 0.09, 0.002);
   // A circle around all of it is the outline of another region.
-  drawing = Square(0.5);
+  drawing = SquareDrawing(0.5);
   drawing.pieces.push_back(LinePiece({ -0.5, 0.1 }, { 0.5, 0.1 }));
   drawing.pieces.push_back(ArcPiece({ 0, 0 }, 1.0, 0.0, 360.0, ""));
-  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
-  const std::map<std::string, double> around = AreasOf(drawing);
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  const std::map<std::string, double> around = AreasOfMaterials(drawing);
   ASSERT_EQ(around.size(), 3U);
   EXPECT_NEAR(around.at("region1"), Pi - 1.0, 0.01);
 }
 
 TEST(DrawingRegions, DoNotCountLinesTwice)
 {
-  Drawing drawing = Square();
+  Drawing drawing = SquareDrawing();
   drawing.pieces.push_back(LinePiece({ 0.0, -1.0 }, { 0.0, 1.0 }));
   drawing.pieces.push_back(LinePiece({ 0.0, 1.0 }, { 0.0, -1.0 }));
-  ASSERT_TRUE(TraceRegions(0.0, Turn, drawing));
-  EXPECT_EQ(AreasOf(drawing).size(), 2U);
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  EXPECT_EQ(AreasOfMaterials(drawing).size(), 2U);
 }
 
 TEST(DrawingRegions, NeedClosedLines)
 {
-  Drawing drawing = Square();
+  Drawing drawing = SquareDrawing();
   drawing.pieces.push_back(LinePiece({ -1.0, 0.0 }, { 0.5, 0.0 }));
   const std::size_t before = drawing.pieces.size();
-  EXPECT_FALSE(TraceRegions(0.0, Turn, drawing));
+  EXPECT_FALSE(TraceRegions(0.0, SamplingTurn, drawing));
   EXPECT_EQ(drawing.pieces.size(), before);
   EXPECT_TRUE(drawing.faces.empty());
-  Drawing square = Square();
-  EXPECT_FALSE(TraceRegions(0.0, Turn, square));
+  Drawing square = SquareDrawing();
+  EXPECT_FALSE(TraceRegions(0.0, SamplingTurn, square));
 }
 }
 }
