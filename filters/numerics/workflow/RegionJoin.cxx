@@ -1,0 +1,148 @@
+#include "RegionJoin.h"
+
+#include "Index.h"
+#include "JoinLayouts.h"
+#include "PeriodicSteps.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Joins regions, one after the other.
+class RegionJoiner
+{
+public:
+  RegionJoiner(const RegionSet& set, LaidOutRegions& regions)
+    : Set(set)
+    , Regions(regions)
+  {
+  }
+
+  JoinedRegions Run()
+  {
+    std::vector<Layout> layouts;
+    for (LaidOutRegion& region : this->Regions)
+    {
+      layouts.push_back(std::move(region.layout));
+    }
+    JoinedLayouts joined = JoinLayouts(layouts);
+    this->Result.patches = joined.patches;
+    std::vector<std::vector<int>> sides; // per region, of its sides in those of all
+    for (std::size_t r = 0; r < this->Regions.size(); ++r)
+    {
+      const ResolvedRequest& own = this->Regions[r].request;
+      const PlanarDomain& domain = this->Regions[r].domain;
+      const std::vector<LoopArc> arcs(domain.loops.begin(), domain.loops.end());
+      sides.push_back(this->AddSides(r, own.sides, arcs, joined.loops[r]));
+      this->AddCurves(own.curves, arcs, joined.loops[r]);
+      for (SidePrescription prescribed : own.prescribed)
+      {
+        prescribed.side = sides[r][Index(prescribed.side)];
+        const bool isNew =
+          std::none_of(this->Result.prescribed.begin(), this->Result.prescribed.end(),
+            [&prescribed](const SidePrescription& one) { return one.side == prescribed.side; });
+        if (isNew) // otherwise the side is on several regions
+        {
+          this->Result.prescribed.push_back(prescribed);
+        }
+      }
+    }
+    std::vector<PairedSides> pairs;
+    for (const InterfacePiece& piece : this->Set.interfaces)
+    {
+      PairedSides pair;
+      const auto sideIn = [&](int region)
+      {
+        return sides[Index(region)]
+                    [Index(this->Regions[Index(region)].request.sides.Find(piece.name))];
+      };
+      pair.first = sideIn(piece.regions[0]);
+      pair.second = sideIn(piece.regions[1]);
+      pair.name = "The interface " + piece.name;
+      pair.isClosed = piece.isClosed;
+      pair.isInterface = true;
+      this->PrescribeForSecond(pair);
+      pairs.push_back(std::move(pair));
+    }
+    this->Result.layouts = LayoutSet(std::move(joined.layout), std::move(pairs));
+    return std::move(this->Result);
+  }
+
+private:
+  /// Prescribes for the second side of a pair what is prescribed for the first.
+  void PrescribeForSecond(const PairedSides& pair)
+  {
+    SidePrescriptions& all = this->Result.prescribed;
+    all.erase(std::remove_if(all.begin(), all.end(),
+                [&pair](const SidePrescription& one) { return one.side == pair.second; }),
+      all.end());
+    const auto first = std::find_if(all.begin(), all.end(),
+      [&pair](const SidePrescription& one) { return one.side == pair.first; });
+    if (first != all.end())
+    {
+      all.push_back(Reversed(*first, pair.second));
+    }
+  }
+
+  /// Adds the sides of a region, and returns their numbers in those of all. Sides of equal names are one,
+  /// but for the two sides of an interface.
+  std::vector<int> AddSides(std::size_t region, const BoundarySides& sides,
+    const std::vector<LoopArc>& arcs, const std::vector<int>& loops)
+  {
+    std::vector<int> numbers;
+    for (const std::string& name : sides.names)
+    {
+      const bool isSecond = std::any_of(this->Set.interfaces.begin(), this->Set.interfaces.end(),
+        [&](const InterfacePiece& piece)
+        { return piece.name == name && Index(piece.regions[1]) == region; });
+      const int known = isSecond ? -1 : this->Result.sides.Find(name);
+      numbers.push_back(known < 0 ? static_cast<int>(this->Result.sides.names.size()) : known);
+      if (known < 0)
+      {
+        this->Result.sides.names.push_back(name);
+      }
+    }
+    const SidesAlong along(sides, arcs);
+    for (std::size_t l = 0; l < arcs.size(); ++l)
+    {
+      for (const LoopSide& start : along.On(l))
+      {
+        this->Result.sides.starts.push_back(
+          { arcs[l].At(start.at), numbers[Index(start.side)], start.isFixed, loops[l] });
+      }
+    }
+    return numbers;
+  }
+
+  void AddCurves(
+    const CurvedBoundary& curves, const std::vector<LoopArc>& arcs, const std::vector<int>& loops)
+  {
+    const auto first = static_cast<int>(this->Result.curves.curves.size());
+    this->Result.curves.curves.insert(
+      this->Result.curves.curves.end(), curves.curves.begin(), curves.curves.end());
+    const CurvesAlong along(curves, arcs);
+    for (std::size_t l = 0; l < arcs.size(); ++l)
+    {
+      for (const double at : along.StartsOn(l))
+      {
+        const int curve = along.At(l, at);
+        this->Result.curves.starts.push_back(
+          { arcs[l].At(at), curve < 0 ? -1 : first + curve, loops[l] });
+      }
+    }
+  }
+
+  const RegionSet& Set;
+  LaidOutRegions& Regions;
+  JoinedRegions Result;
+};
+}
+
+JoinedRegions JoinRegions(const RegionSet& set, LaidOutRegions& regions)
+{
+  return RegionJoiner(set, regions).Run();
+}
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "LaidOutRegion.h"
+#include "RegionSet.h"
+
+namespace crossfield
+{
+/// The layouts of regions as one, with their sides, curves and prescriptions.
+struct JoinedRegions
+{
+  LayoutSet layouts; ///< Whose pairs are the two sides of each interface, in the order of the set.
+  BoundarySides sides; ///< Sides of equal names are one, but for the two sides of an interface.
+  CurvedBoundary curves;
+  SidePrescriptions prescribed;
+  std::vector<std::size_t> patches; ///< First patch of each region, and their number.
+};
+
+/// Joins the layouts of regions, which are moved out of them.
+JoinedRegions JoinRegions(const RegionSet& set, LaidOutRegions& regions);
+}

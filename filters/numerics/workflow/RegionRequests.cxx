@@ -1,0 +1,120 @@
+#include "RegionRequests.h"
+
+#include "Index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Returns a request with what it prescribes for an interface, by the names of its materials in either
+/// order or a given one, prescribed for each of its pieces.
+QuadRequest ForPieces(const RegionSet& set, QuadRequest request)
+{
+  std::vector<SideRequest> expanded;
+  for (const SideRequest& one : request.sideRequests)
+  {
+    const std::size_t before = expanded.size();
+    for (const InterfacePiece& piece : set.interfaces)
+    {
+      const auto nameOf = [&](int region)
+      { return set.materials[Index(set.regions[Index(region)].material)]; };
+      const std::string reversed = nameOf(piece.regions[1]) + "+" + nameOf(piece.regions[0]);
+      if (piece.side == one.side || piece.name == one.side || reversed == one.side)
+      {
+        expanded.push_back(one);
+        expanded.back().side = piece.name;
+      }
+    }
+    if (expanded.size() == before)
+    {
+      expanded.push_back(one);
+    }
+  }
+  request.sideRequests = std::move(expanded);
+  return request;
+}
+
+/// Removes sizes inside of materials from a request, and returns them per material; 0 without one.
+std::vector<double> TakeSizesInside(const RegionSet& set, QuadRequest& request)
+{
+  std::vector<double> sizes(set.materials.size(), 0.0);
+  const auto take = [&](const SideRequest& one)
+  {
+    const auto found = std::find(set.materials.begin(), set.materials.end(), one.side);
+    if (one.inside <= 0.0 || found == set.materials.end())
+    {
+      return false;
+    }
+    sizes[static_cast<std::size_t>(found - set.materials.begin())] = one.inside;
+    return true;
+  };
+  std::vector<SideRequest>& all = request.sideRequests;
+  all.erase(std::remove_if(all.begin(), all.end(), take), all.end());
+  const bool hasSizes =
+    std::any_of(sizes.begin(), sizes.end(), [](double size) { return size > 0.0; });
+  if (hasSizes && request.quadSize == 0.0 && request.quadCount == 0)
+  {
+    double area = 0.0;
+    for (const PlanarDomain& outline : set.outlines)
+    {
+      area += outline.Area();
+    }
+    request.quadSize = std::sqrt(area / DefaultQuads);
+  }
+  return sizes;
+}
+
+/// Requests the sizes inside of materials in their regions, and at the interfaces of others with them.
+void AddSizesInside(
+  const RegionSet& set, const std::vector<double>& sizes, std::vector<PartRequest>& requests)
+{
+  const auto sizeOf = [&](int region) { return sizes[Index(set.regions[Index(region)].material)]; };
+  for (std::size_t r = 0; r < requests.size(); ++r)
+  {
+    QuadRequest& own = requests[r].request;
+    const double size = sizeOf(static_cast<int>(r));
+    if (size > 0.0)
+    {
+      own.minimumSize = own.maximumSize = size;
+      own.quadSize = 0.0;
+      own.quadCount = 0;
+    }
+  }
+  for (const InterfacePiece& piece : set.interfaces)
+  {
+    for (const std::size_t end : { std::size_t(0), std::size_t(1) })
+    {
+      const double size = sizeOf(piece.regions[end]);
+      const int other = piece.regions[1 - end];
+      if (size <= 0.0 || sizeOf(other) > 0.0)
+      {
+        continue;
+      }
+      std::vector<SideRequest>& all = requests[Index(other)].request.sideRequests;
+      const bool isGiven = std::any_of(all.begin(), all.end(),
+        [&piece](const SideRequest& one) { return one.side == piece.name && one.size > 0.0; });
+      if (!isGiven)
+      {
+        all.emplace_back();
+        all.back().side = piece.name;
+        all.back().size = size;
+      }
+    }
+  }
+}
+}
+
+std::vector<PartRequest> SplitForRegions(
+  const RegionSet& set, const std::vector<DomainPart>& parts, const QuadRequest& request)
+{
+  QuadRequest rest = request;
+  const std::vector<double> sizes = TakeSizesInside(set, rest);
+  std::vector<PartRequest> requests = SplitRequest(parts, ForPieces(set, std::move(rest)));
+  AddSizesInside(set, sizes, requests);
+  return requests;
+}
+}
