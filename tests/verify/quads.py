@@ -23,6 +23,8 @@ def check_quads(data, report):
     distinct = [len(set(quad)) == 4 for quad in data.quads.tolist()]
     report.true("quads have four points", all(distinct), "%d have not" % (len(distinct) - sum(distinct)))
     has_lines = "BoundaryId" in data.cells
+    if has_lines and "Region" in data.quad_cells:
+        _check_interfaces(data, report)
     edges = _check_edges(data, has_lines, report)
     loops = _loops(data)
     characteristic = 2 * _check_parts(data, report) - len(loops)
@@ -37,6 +39,23 @@ def check_quads(data, report):
     _check_shapes(data, frame, report)
     report.note("SizeRatio needs the wanted sizes, and zero arcs and integers the layout, which the file does "
                 "not have: not recomputed")
+
+
+def _check_interfaces(data, report):
+    """Checks the lines between materials, and leaves only those of the boundary in `data`."""
+    left = {(quad[i], quad[(i + 1) % 4]): region
+            for quad, region in zip(data.quads.tolist(), data.quad_cells["Region"].tolist()) for i in range(4)}
+    between = {tuple(sorted(side)) for side, region in left.items() if left.get(side[::-1], region) != region}
+    inner = data.cells["BoundaryKind"][1] == 5
+    lines = [tuple(sorted(line)) for line in data.lines[inner].tolist()]
+    report.true("the edges between materials have one line, and no other inside has",
+                set(lines) == between and len(lines) == len(between))
+    for name, step in (("RegionLeft", 1), ("RegionRight", -1), ("Region", 1)):
+        report.true(name + " is the material beside a line", data.cells[name][1].tolist() == [
+            left.get(tuple(line[::step]), -1) for line in data.lines.tolist()])
+    data.lines = data.lines[~inner]
+    for name, (cells, of_lines) in data.cells.items():
+        data.cells[name] = cells, of_lines[~inner]
 
 
 def _check_parts(data, report):

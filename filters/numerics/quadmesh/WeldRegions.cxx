@@ -4,6 +4,7 @@
 #include "UnionFind.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -29,6 +30,69 @@ void JoinEqualNames(std::vector<std::string>& names, std::vector<QuadBoundaryEdg
     edge.side = edge.side < 0 ? -1 : number[Index(edge.side)];
   }
   names = std::move(different);
+}
+
+/// Sorts boundary edges so that they follow each other around the loops of the whole, with the kinds and
+/// numbers of these: outer loops by decreasing area, then inner ones from left to right. Edges of
+/// interfaces come last, in their order.
+void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryEdge>& boundary)
+{
+  struct Chain
+  {
+    std::vector<QuadBoundaryEdge> edges;
+    double area = 0.0;
+    Point leftmost = Point::Zero();
+  };
+  std::map<int, std::size_t> startingAt;
+  std::vector<QuadBoundaryEdge> interfaces;
+  for (std::size_t e = 0; e < boundary.size(); ++e)
+  {
+    if (boundary[e].kind == BoundaryKind::Interface)
+    {
+      interfaces.push_back(boundary[e]);
+    }
+    else
+    {
+      startingAt[boundary[e].points[0]] = e;
+    }
+  }
+  std::vector<Chain> chains;
+  const auto isBefore = [](const Point& a, const Point& b)
+  { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); };
+  while (!startingAt.empty())
+  {
+    Chain chain;
+    for (auto next = startingAt.begin(); next != startingAt.end();)
+    {
+      const QuadBoundaryEdge& edge = boundary[next->second];
+      const Point from = points[Index(edge.points[0])].InPlane();
+      const Point to = points[Index(edge.points[1])].InPlane();
+      chain.area += 0.5 * Cross(from, to);
+      chain.leftmost =
+        chain.edges.empty() || isBefore(from, chain.leftmost) ? from : chain.leftmost;
+      chain.edges.push_back(edge);
+      startingAt.erase(next);
+      next = startingAt.find(edge.points[1]);
+    }
+    chains.push_back(std::move(chain));
+  }
+  std::stable_sort(chains.begin(), chains.end(),
+    [&](const Chain& a, const Chain& b)
+    {
+      const bool bothAreInner = a.area < 0.0 && b.area < 0.0;
+      return bothAreInner ? isBefore(a.leftmost, b.leftmost) : a.area > b.area;
+    });
+  boundary.clear();
+  for (std::size_t c = 0; c < chains.size(); ++c)
+  {
+    for (QuadBoundaryEdge edge : chains[c].edges)
+    {
+      edge.kind = chains[c].area > 0.0 ? BoundaryKind::Outer : BoundaryKind::Inner;
+      edge.id = static_cast<int>(c);
+      boundary.push_back(edge);
+    }
+  }
+  boundary.insert(boundary.end(), interfaces.begin(), interfaces.end());
 }
 }
 
@@ -89,6 +153,7 @@ std::vector<int> WeldRegions(QuadMesh& mesh)
     if (firstSides.count(edge.side) > 0)
     {
       edge.kind = BoundaryKind::Interface;
+      edge.id = -1;
     }
     else
     {
@@ -107,6 +172,14 @@ std::vector<int> WeldRegions(QuadMesh& mesh)
     }
   }
   JoinEqualNames(mesh.sideNames, boundary);
+  NumberLoops(points, boundary);
+  for (const QuadBoundaryEdge& edge : boundary)
+  {
+    if (edge.kind != BoundaryKind::Interface)
+    {
+      points[Index(edge.points[0])].curve.loop = edge.id;
+    }
+  }
   mesh.points = std::move(points);
   mesh.boundary = std::move(boundary);
   mesh.periodic.erase(std::remove_if(mesh.periodic.begin(), mesh.periodic.end(),
