@@ -50,6 +50,20 @@ def quad_point_of_another_loop(file):
     file.point("BoundarySide")[_inner(file)] = 1
 
 
+@of("regions", "the edges between materials have one line, and no other inside has", SIDES, "the file makes sense")
+def line_between_materials_on_the_boundary(file):
+    kinds = file.cell("BoundaryKind")
+    kinds[np.flatnonzero(kinds == 1)[0]] = 5
+
+
+@of("regions", "RegionLeft is the material beside a line", "RegionRight is the material beside a line",
+    "Region is the material beside a line")
+def materials_beside_a_line_changed(file):
+    line = np.flatnonzero(file.cell("BoundaryKind") == 5)[0]
+    for name in ("RegionLeft", "RegionRight", "Region"):
+        file.cell(name)[line] = 7
+
+
 @of("quads", "Part numbers what is connected")
 def quad_of_another_part(file):
     file.cell("Part")[0] = 1

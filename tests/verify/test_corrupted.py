@@ -45,9 +45,29 @@ GOOD = {
     "h": ("hfield", "builtin:l-shape", ELBOW, ""),
     "h_on_holes": ("hfield", "drilled.vtu", None, ""),
     "quads": ("quads", "builtin:ring", RING, "--size 0.08"),
+    "regions": ("quads", "squares.msh", None, "--size 0.2"),
     "map": ("separatrices", "builtin:ring", RING, "--size 0.08"),
     "h_of_ring": ("hfield", "builtin:ring", PAIR, "--size 0.1"),
 }
+# Two squares of two materials, in the format of Gmsh.
+SQUARES = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+6
+1 0 0 0
+2 1 0 0
+3 2 0 0
+4 0 1 0
+5 1 1 0
+6 2 1 0
+$EndNodes
+$Elements
+2
+1 3 2 1 1 1 2 5 4
+2 3 2 2 2 2 3 6 5
+$EndElements
+"""
 # Arrays that have the unit of length.
 LENGTHS = ("Epsilon", "Moved", "Size", "SizeRange", "SeamTranslation", "UV", "Length", "USize", "VSize",
            "Longest", "Mismatch")
@@ -60,6 +80,8 @@ def make(name, folder):
     subcommand, domain, rows, options = GOOD[name]
     if domain == "drilled.vtu":
         make("drilled", folder)
+    if domain == "squares.msh":
+        (folder / domain).write_text(SQUARES)
     command = [PROGRAM, subcommand, domain, "-o", name + ".vtu", *options.split()]
     if subcommand == "separatrices":
         command[4:5] = [name + ".lines.vtp", "--faces", name + ".faces.vtp", "--map", name + ".vtu"]
