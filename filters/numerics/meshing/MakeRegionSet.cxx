@@ -239,6 +239,29 @@ private:
     return IsCorner(AngleBetween(-away(two[0]), away(two[1])));
   }
 
+  /// Removes the sides from a point up to the next node, or back to it, and returns their piece.
+  InterfacePiece Follow(
+    const std::array<int, 2>& regions, int point, std::map<int, int>& sides) const
+  {
+    InterfacePiece piece;
+    piece.regions = regions;
+    do
+    {
+      const auto side = sides.find(point);
+      piece.line.push_back(this->At(point));
+      point = this->Sides[Index(side->second)].to;
+      sides.erase(side);
+    } while (!this->IsNode[Index(point)] && sides.count(point) > 0);
+    // A closed line may have one corner.
+    piece.isClosed = this->At(point) == piece.line.front() &&
+      (!this->IsNode[Index(point)] || this->LinesAt[Index(point)] == 2);
+    if (!piece.isClosed)
+    {
+      piece.line.push_back(this->At(point));
+    }
+    return piece;
+  }
+
   /// Collects the pieces of interfaces, each along the region with the lower number.
   void FollowInterfaces()
   {
@@ -254,49 +277,17 @@ private:
     }
     for (auto& [regions, sides] : startingAt)
     {
-      const auto follow = [&, pair = regions](
-                            std::map<int, int>& from, std::map<int, int>::iterator at)
-      {
-        InterfacePiece piece;
-        piece.regions = pair;
-        while (true)
-        {
-          const CellSide& side = this->Sides[Index(at->second)];
-          piece.line.push_back(this->At(side.from));
-          from.erase(at);
-          at = from.find(side.to);
-          if (this->IsNode[Index(side.to)] || at == from.end())
-          {
-            // A closed line may have one corner.
-            piece.isClosed = this->At(side.to) == piece.line.front() &&
-              (!this->IsNode[Index(side.to)] || this->LinesAt[Index(side.to)] == 2);
-            if (!piece.isClosed)
-            {
-              piece.line.push_back(this->At(side.to));
-            }
-            break;
-          }
-        }
-        this->Set.interfaces.push_back(std::move(piece));
-      };
-      for (auto at = sides.begin(); at != sides.end();)
-      {
-        // The iterator of a piece's start is invalid afterwards, so look again from the first one.
-        at = std::find_if(sides.begin(), sides.end(),
-          [this](const std::pair<const int, int>& one) { return this->IsNode[Index(one.first)]; });
-        if (at == sides.end())
-        {
-          break;
-        }
-        follow(sides, at);
-        at = sides.begin();
-      }
       while (!sides.empty())
       {
-        follow(sides,
-          std::min_element(sides.begin(), sides.end(),
+        auto first = std::find_if(sides.begin(), sides.end(),
+          [this](const std::pair<const int, int>& one) { return this->IsNode[Index(one.first)]; });
+        if (first == sides.end()) // only closed lines are left
+        {
+          first = std::min_element(sides.begin(), sides.end(),
             [this](const std::pair<const int, int>& a, const std::pair<const int, int>& b)
-            { return IsBefore(this->At(a.first), this->At(b.first)); }));
+            { return IsBefore(this->At(a.first), this->At(b.first)); });
+        }
+        this->Set.interfaces.push_back(this->Follow(regions, first->first, sides));
       }
     }
     std::stable_sort(this->Set.interfaces.begin(), this->Set.interfaces.end(),
