@@ -263,6 +263,9 @@ public:
     this->AddColumns("regions", "Region",
       { { "name", names::RegionMaterial }, names::RegionQuads,
         names::RegionRequiredInteriorQuarters, names::RegionGivenInteriorQuarters });
+    this->AddColumns("interfaces", "Interface",
+      { names::InterfaceName, names::InterfaceEdges,
+        { "size_ratio", names::InterfaceSizeRatio, { "max", "median" } } });
     this->AddColumns("alternatives", "Alternative",
       { names::AlternativeNodes, names::AlternativeBlocks, names::AlternativeScaledJacobian,
         names::AlternativeSizeVariation });

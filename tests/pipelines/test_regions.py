@@ -52,6 +52,10 @@ class Regions(ProgramTest):
             self.assertEqual((region["required_interior_quarters"], region["given_interior_quarters"]), (0, 0))
         self.assertEqual((report["irregular"], report["blocks"]), ({}, 3))
         self.assertGreater(report["scaled_jacobian"]["min"], 1 - 1e-9)
+        self.assertEqual([interface["name"] for interface in report["interfaces"]], ["steel+copper", "copper+tin"])
+        for interface in report["interfaces"]:
+            self.assertLess(interface["size_ratio"]["median"], 1 + 1e-6 + interface["size_ratio"]["max"])
+            self.assertLess(interface["size_ratio"]["max"], 1.5)
         sides = {side["name"]: side for side in report["sides"]}
         self.assertLessEqual({"steel+copper", "copper+tin", "left", "bottom"}, set(sides))
         self.assertEqual(sides["steel+copper"]["edges"], sides["bottom"]["edges"])

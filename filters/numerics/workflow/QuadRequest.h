@@ -6,6 +6,7 @@
 #include "BoundarySides.h"
 #include "CornerRows.h"
 #include "HolonomyRepair.h"
+#include "InterfaceMeasures.h"
 #include "NodePositions.h"
 #include "PairedSides.h"
 #include "PrescribedSizes.h"
@@ -162,6 +163,7 @@ struct QuadWorkflowResult
   std::vector<int> part;           ///< Part of the domain of each quad, from 0 (MakeQuadsOfParts).
   std::vector<std::string> materials; ///< Empty unless the domain has regions (MakeQuadsOfRegions).
   std::vector<RegionReport> regions;
+  std::vector<InterfaceMeasure> interfaces;
   std::vector<int> region;         ///< Region of each quad; empty without regions.
   std::vector<LayerReport> layers; ///< One for each layer of the request.
   CurvedBoundary boundary;         ///< The curves that boundary nodes are on.

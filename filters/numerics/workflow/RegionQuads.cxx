@@ -307,6 +307,7 @@ private:
       }
     }
     WeldRegions(quads.mesh);
+    this->Result.interfaces = MeasureInterfaces(quads.mesh);
     quads.blocks = FindBlocks(quads.mesh, region);
     quads.separateBlocks = static_cast<int>(quads.blocks.blocks.size());
     this->Result.blocks.none = quads.separateBlocks;

@@ -168,5 +168,17 @@ void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
     result.regions, [](const RegionReport& region) { return region.requiredQuarters; });
   ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionGivenInteriorQuarters, result.regions,
     [](const RegionReport& region) { return region.givenQuarters; });
+  using crossfield::InterfaceMeasure;
+  ColumnWriting::AddColumn<vtkStringArray>(report, names::InterfaceName, result.interfaces,
+    [](const InterfaceMeasure& interface) { return interface.side; });
+  ColumnWriting::AddColumn<vtkIntArray>(report, names::InterfaceEdges, result.interfaces,
+    [](const InterfaceMeasure& interface) { return interface.edges; });
+  const auto ratios = ColumnWriting::NewArray<vtkDoubleArray>(
+    report, names::InterfaceSizeRatio, 2, static_cast<vtkIdType>(result.interfaces.size()));
+  for (std::size_t i = 0; i < result.interfaces.size(); ++i)
+  {
+    const InterfaceMeasure& one = result.interfaces[i];
+    ratios->SetTuple2(static_cast<vtkIdType>(i), one.largestRatio, one.medianRatio);
+  }
 }
 }

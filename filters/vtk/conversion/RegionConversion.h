@@ -38,7 +38,9 @@ Regions Read(vtkDataSet* input, const std::string& array);
  * Adds `Region` (int), the value of the material, to the quads, to the cells of blocks and to boundary edges, where it
  * is that on their left, and `RegionLeft` and `RegionRight` to boundary edges (−1 outside). To the report it adds, if
  * materials are strings, `RegionName` (string), the material of each value, and for each region `RegionMaterial`
- * (string), `RegionQuads`, `RegionRequiredInteriorQuarters` and `RegionGivenInteriorQuarters` (int).
+ * (string), `RegionQuads`, `RegionRequiredInteriorQuarters` and `RegionGivenInteriorQuarters` (int), and for each
+ * interface `InterfaceName` (string), `InterfaceEdges` (int) and `InterfaceSizeRatio` (double, the largest ratio of the
+ * areas of the two quads at an edge, and the median).
  */
 void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
   vtkUnstructuredGrid* quads, vtkMultiBlockDataSet* blocks, vtkPolyData* boundary,

@@ -378,6 +378,9 @@ TEST(RegionQuads, AreThoseOfOneRegionAlongAStraightInterface)
   ExpectConforming(cut, 4.0, 1);
   EXPECT_NEAR(cut.quads.quality.jacobian.min, 1.0, 1e-10);
   EXPECT_EQ(cut.materials, (std::vector<std::string>{ "left", "right" }));
+  ASSERT_EQ(cut.interfaces.size(), 1U);
+  EXPECT_EQ(cut.interfaces[0].side, "left+right");
+  EXPECT_NEAR(cut.interfaces[0].largestRatio, 1.0, 1e-9);
   const PlanarDomain square{ { { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } } } };
   QuadRequest request;
   request.quadCount = static_cast<int>(cut.quads.mesh.quads.size());
