@@ -16,7 +16,7 @@ constexpr int Quad = 9;
 constexpr int Hexahedron = 12;
 constexpr int Wedge = 13;
 
-void RequirePossible(const SolverMesh& mesh)
+void RequirePossible(const SolverMesh& mesh, const MeshFaces& faces)
 {
   if (mesh.dimension == 2 && !mesh.HasConstantHeight())
   {
@@ -30,13 +30,21 @@ void RequirePossible(const SolverMesh& mesh)
       std::to_string(mesh.regionNames.size()) +
       "; write each to a file of its own, or a .msh file.");
   }
+  for (std::size_t side = 0; side < mesh.sideNames.size(); ++side)
+  {
+    if (faces.IsInside(static_cast<int>(side)))
+    {
+      throw Error("The format .su2 has sides on the boundary only, and '" + mesh.sideNames[side] +
+        "' is inside; leave it out, or write a .msh or .vtu file.");
+    }
+  }
 }
 }
 
 std::string WriteSu2(const SolverMesh& mesh)
 {
   const MeshFaces faces(mesh);
-  RequirePossible(mesh);
+  RequirePossible(mesh, faces);
   const ElementNodes numbering(mesh, NodeOrder::Vtk, 0);
   MeshText text;
   const auto addElement = [&text](int type, const std::vector<int>& nodes)
