@@ -1,6 +1,7 @@
 #include "DrawingRegions.h"
 
 #include "EndGrid.h"
+#include "Error.h"
 #include "PieceChains.h"
 #include "PieceSampling.h"
 #include "PolygonTriangulation.h"
@@ -236,7 +237,8 @@ private:
           const bool sameEnds =
             (AreEqual(a, line.points.front()) && AreEqual(b, line.points.back())) ||
             (AreEqual(b, line.points.front()) && AreEqual(a, line.points.back()));
-          return sameEnds && NearestOn(other.points, middle).distance <= 10.0 * this->Tolerance;
+          // Ends have moved by up to the tolerance, and the other line is within it.
+          return sameEnds && NearestOn(other.points, middle).distance <= 2.0 * this->Tolerance;
         });
       if (!isCopy)
       {
@@ -308,9 +310,10 @@ public:
         outer.push_back(std::move(loop));
       }
     }
-    std::sort(outer.begin(), outer.end(),
-      [](const Loop& a, const Loop& b) { return SignedArea(a) > SignedArea(b); });
-    std::vector<Loop> faces = outer;
+    const auto isLarger = [](const Loop& a, const Loop& b)
+    { return SignedArea(a) > SignedArea(b); };
+    std::sort(outer.begin(), outer.end(), isLarger);
+    std::vector<std::vector<Loop>> holes(outer.size());
     for (const Loop& outline : outlines)
     {
       // The smallest face around it.
@@ -318,12 +321,20 @@ public:
       {
         if (Contains(outer[f], outline))
         {
-          JoinHole(outline, faces[f]);
+          holes[f].push_back(outline);
           break;
         }
       }
     }
-    return faces;
+    for (std::size_t f = 0; f < outer.size(); ++f)
+    {
+      for (std::size_t h = 0; h < holes[f].size(); ++h)
+      {
+        JoinHole(holes[f], h, outer[f]);
+      }
+    }
+    std::sort(outer.begin(), outer.end(), isLarger); // without holes
+    return outer;
   }
 
 private:
@@ -398,9 +409,11 @@ private:
     return false;
   }
 
-  /// Joins a clockwise hole to a polygon by a slit, the shortest that crosses neither.
-  static void JoinHole(const Loop& hole, Loop& polygon)
+  /// Joins one of the clockwise holes of a polygon to it by a slit, the shortest that crosses neither it nor
+  /// any of the holes. There is one, as every polygon with holes has a triangulation.
+  static void JoinHole(const std::vector<Loop>& holes, std::size_t number, Loop& polygon)
   {
+    const Loop& hole = holes[number];
     std::vector<std::array<std::size_t, 2>> pairs;
     for (std::size_t i = 0; i < polygon.size(); ++i)
     {
@@ -416,7 +429,9 @@ private:
       { return std::pair(lengthOf(a), a) < std::pair(lengthOf(b), b); });
     for (const auto& [i, j] : pairs)
     {
-      if (!Crosses(polygon[i], hole[j], polygon) && !Crosses(polygon[i], hole[j], hole))
+      const auto isCrossed = [&, from = polygon[i], to = hole[j]](const Loop& loop)
+      { return Crosses(from, to, loop); };
+      if (!isCrossed(polygon) && std::none_of(holes.begin(), holes.end(), isCrossed))
       {
         Loop slit;
         for (std::size_t k = 0; k <= hole.size(); ++k)
@@ -429,6 +444,8 @@ private:
         return;
       }
     }
+    throw Error("The hole at " + Describe(hole[0]) +
+      " is not separate from the curves around it; move it away from them.");
   }
 
   const std::vector<Line>& Lines;

@@ -96,7 +96,7 @@ void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryE
 }
 }
 
-std::vector<int> WeldRegions(QuadMesh& mesh)
+void WeldRegions(QuadMesh& mesh)
 {
   const std::size_t count = mesh.points.size();
   UnionFind sets(count);
@@ -104,14 +104,11 @@ std::vector<int> WeldRegions(QuadMesh& mesh)
   std::set<int> secondSides;
   for (const PairedSides& pair : mesh.periodic)
   {
-    if (pair.isInterface)
+    firstSides.insert(pair.first);
+    secondSides.insert(pair.second);
+    for (const auto& [first, second] : pair.nodes)
     {
-      firstSides.insert(pair.first);
-      secondSides.insert(pair.second);
-      for (const auto& [first, second] : pair.nodes)
-      {
-        sets.Join(first, second);
-      }
+      sets.Join(first, second);
     }
   }
   std::vector<int> numberOfSet(count, -1);
@@ -182,16 +179,6 @@ std::vector<int> WeldRegions(QuadMesh& mesh)
   }
   mesh.points = std::move(points);
   mesh.boundary = std::move(boundary);
-  mesh.periodic.erase(std::remove_if(mesh.periodic.begin(), mesh.periodic.end(),
-                        [](const PairedSides& pair) { return pair.isInterface; }),
-    mesh.periodic.end());
-  for (PairedSides& pair : mesh.periodic)
-  {
-    for (std::array<int, 2>& nodes : pair.nodes)
-    {
-      nodes = { number[Index(nodes[0])], number[Index(nodes[1])] };
-    }
-  }
-  return number;
+  mesh.periodic.clear();
 }
 }

@@ -58,8 +58,9 @@ void PairAround(const QuadMesh& mesh, const std::vector<int>& first, const std::
   }
   if (std::isinf(smallest))
   {
-    throw Error(
-      pair.name + " has fixed nodes at different places on its two sides; use a finer mesh.");
+    throw Error(pair.name +
+      " has fixed nodes at different places on its two sides; mesh all materials as one "
+      "(MaterialArray none, --materials none).");
   }
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -107,6 +107,23 @@ TEST(DrawingRegions, HaveHolesWhereClosedCurvesMeetNoOther)
   EXPECT_NEAR(around.at("region1"), Pi - 1.0, 0.01);
 }
 
+TEST(DrawingRegions, HaveSeveralHoles)
+{
+  Drawing drawing = SquareDrawing();
+  drawing.pieces.push_back(LinePiece({ -1.0, 0.9 }, { 1.0, 0.9 }));
+  // In a row: the shortest slits of the inner ones would lead through others.
+  for (int i = 0; i < 5; ++i)
+  {
+    drawing.pieces.push_back(ArcPiece({ -0.6 + 0.3 * i, 0.0 }, 0.14, 0.0, 360.0, ""));
+    drawing.pieces.push_back(ArcPiece({ -0.6 + 0.3 * i, 0.35 }, 0.14, 0.0, 360.0, ""));
+  }
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  const std::map<std::string, double> areas = AreasOfMaterials(drawing);
+  ASSERT_EQ(areas.size(), 2U);
+  EXPECT_NEAR(areas.at("region1"), 3.8 - 10.0 * Pi * 0.14 * 0.14, 0.002);
+  EXPECT_NEAR(areas.at("region2"), 0.2, 1e-9);
+}
+
 TEST(DrawingRegions, DoNotCountLinesTwice)
 {
   Drawing drawing = SquareDrawing();

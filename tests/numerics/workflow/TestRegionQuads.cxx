@@ -10,6 +10,7 @@
 #include "PoincareHopf.h"
 #include "RegionNodes.h"
 #include "RegionSides.h"
+#include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -460,9 +461,7 @@ TEST(RegionQuads, HaveCountsOfInterfaces)
   const RegionSet set = MakeRegionSet(ObliqueCut(75.0));
   QuadRequest request;
   request.quadCount = 800;
-  request.sideRequests.emplace_back();
-  request.sideRequests.back().side = "left+right";
-  request.sideRequests.back().count = 23;
+  request.sideRequests = { CountOf("left+right", 23) };
   const QuadWorkflowResult result = MakeQuadsOfRegions(set, PartsOf(set), request);
   ExpectConforming(result, 4.0, 1);
   int edges = 0;
@@ -478,9 +477,10 @@ TEST(RegionQuads, HaveSizesInsideOfMaterials)
   const RegionSet set = MakeRegionSet(FibreInSquare(0.4));
   QuadRequest request;
   request.quadSize = 0.12;
-  request.sideRequests.emplace_back();
-  request.sideRequests.back().side = "fibre";
-  request.sideRequests.back().inside = 0.05;
+  SideRequest fibre;
+  fibre.side = "fibre";
+  fibre.inside = 0.05;
+  request.sideRequests = { fibre };
   const QuadWorkflowResult result = MakeQuadsOfRegions(set, PartsOf(set), request);
   ExpectConforming(result, 4.0, 1);
   // Four singularities around the fibre leave a factor; sizes grow in the matrix from the interface.
