@@ -11,14 +11,16 @@ Exits with 0 if all are equal.
 import argparse
 import hashlib
 import json
+import math
 import os
 import pathlib
 import random
-import math
+import shutil
 import subprocess
 import sys
 import tempfile
 
+DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
 THREADS = (1, 2, 3, 4, 8, 16)
 SHORT_THREADS = (1, 3, 16)
 FOUR = "x,y,quarter_index,radius\n" + "".join(
@@ -59,12 +61,14 @@ RUNS = (
     "quads builtin:star --merge coarse -o {o}.vtu --json {o}.json",
     "quads builtin:disk -s four.csv --quads 60000 --sizing uniform -o {o}.vtu --blocks {o}.vtm --json {o}.json",
     "quads builtin:square --sizing uniform --layers outer0:0.005 -o {o}.vtu --json {o}.json",
+    "quads plate05.vtp --quads 1000 -o {o}.vtu --json {o}.json",
     "figures --only disk_holes,h_field -o {o}",
 )
 
 
 def write_inputs(folder):
-    """Writes two configurations and a plate with nine holes."""
+    """Writes two configurations, a plate with nine holes and a domain where singularities reach the boundary."""
+    shutil.copy(DATA / "hard" / "plate05_m16_k1.vtp", folder / "plate05.vtp")
     (folder / "four.csv").write_text(FOUR)
     (folder / "moved.csv").write_text(FOUR.replace("0.1\n", "0.05\n", 1))
     chance = random.Random(1)

@@ -57,6 +57,23 @@ void AddPair(
 }
 }
 
+ClearanceFactors FactorsOfParts(
+  const PlanarDomain& domain, const PlanarDomain& refined, const ClearanceFactors& factors)
+{
+  ClearanceFactors ofParts(factors.size());
+  for (std::size_t l = 0; l < factors.size(); ++l)
+  {
+    const Loop& loop = domain.loops[l];
+    std::size_t edge = 0;
+    for (const Point& vertex : refined.loops[l])
+    {
+      edge += edge + 1 < loop.size() && vertex == loop[edge + 1] ? 1 : 0;
+      ofParts[l].push_back(factors[l].at(edge));
+    }
+  }
+  return ofParts;
+}
+
 ClearanceBarrier::ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration,
   double distance, const ClearanceFactors& factors)
   : Distance(distance)

@@ -16,8 +16,13 @@ using ClearanceFactors = std::vector<std::vector<double>>;
 /// Returns the factor of an edge.
 inline double FactorAt(const ClearanceFactors& factors, std::size_t loop, std::size_t edge)
 {
-  return factors.empty() ? 1.0 : factors[loop][edge];
+  return factors.empty() ? 1.0 : factors.at(loop).at(edge);
 }
+
+/// Returns the factors of a domain with further vertices on its edges (InsertBoundarySingularities):
+/// parts of an edge have its factor.
+ClearanceFactors FactorsOfParts(
+  const PlanarDomain& domain, const PlanarDomain& refined, const ClearanceFactors& factors);
 
 /// Barrier that keeps singularities at a distance δ from the boundary and from each other
 /// (docs/method.md §5.5):

@@ -112,8 +112,10 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
       }
     });
   stage.potential->RequireSolvable(stage.placed.interior);
+  ObjectiveOptions objective = options.objective;
+  objective.clearanceFactors = FactorsOfParts(domain, refined, objective.clearanceFactors);
   stage.objective = std::make_shared<const OptimizerObjective>(
-    stage.potential, refined, stage.placed.interior, options.objective);
+    stage.potential, refined, stage.placed.interior, objective);
   return stage;
 }
 }

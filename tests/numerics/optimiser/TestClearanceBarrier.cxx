@@ -52,5 +52,22 @@ TEST(ClearanceBarrier, FactorsEnlargeTheClearance)
     EXPECT_EQ(value.hessian, plain.Evaluate(position).hessian);
   }
 }
+
+TEST(ClearanceBarrier, PartsOfEdgesHaveTheirFactors)
+{
+  PlanarDomain ring = Builtin("square");
+  ring.loops.push_back({ { 0.4, 0.4 }, { 0.4, 0.6 }, { 0.6, 0.6 }, { 0.6, 0.4 } });
+  PlanarDomain refined = ring;
+  Loop& outer = refined.loops[0];
+  outer.insert(
+    outer.begin() + 2, { 0.25 * outer[1] + 0.75 * outer[2], 0.5 * (outer[1] + outer[2]) });
+  outer.push_back(0.5 * (outer.back() + outer.front()));
+  refined.loops[1].insert(refined.loops[1].begin() + 1, { 0.4, 0.5 });
+  const ClearanceFactors factors = { { 1.0, 2.0, 3.0, 4.0 }, { 5.0, 6.0, 7.0, 8.0 } };
+  EXPECT_EQ(FactorsOfParts(ring, ring, factors), factors);
+  EXPECT_EQ(FactorsOfParts(ring, refined, factors),
+    (ClearanceFactors{ { 1.0, 2.0, 2.0, 2.0, 3.0, 4.0, 4.0 }, { 5.0, 5.0, 6.0, 7.0, 8.0 } }));
+  EXPECT_TRUE(FactorsOfParts(ring, refined, {}).empty());
+}
 }
 }
