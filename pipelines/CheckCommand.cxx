@@ -74,6 +74,7 @@ int Check(const CheckOptions& options)
   check->SetInputConnection(domain->GetOutputPort());
   proposal->SetInputConnection(domain->GetOutputPort());
   check->SetCapCorners(options.capCorners);
+  check->SetMaterialArray(options.boundary.materials);
   proposal->SetCapCorners(options.capCorners);
   DomainReader::ConnectCorners(check.Get(), options.corners);
   DomainReader::ConnectCorners(proposal.Get(), options.corners);
@@ -101,6 +102,15 @@ int Check(const CheckOptions& options)
   PipelineRun::Update(check, "checking");
   vtkDataSet* checked = check->GetOutput();
   const std::string reason = FieldText(checked, names::Reason);
+  const bool hasRegions =
+    checked->GetFieldData()->GetAbstractArray(names::RegionMaterial) != nullptr;
+  if (hasRegions && !options.proposal.empty())
+  {
+    throw PipelineRun::Error(
+      "A configuration for several materials is proposed by quads alone, whose report has its "
+      "singularities; leave out --propose, or use --materials none.",
+      BadInput);
+  }
 
   // 4. Write.
   OutputTransaction outputs;
@@ -127,7 +137,7 @@ int Check(const CheckOptions& options)
       CheckOutput::PrintAlternatives(vtkTable::SafeDownCast(proposal->GetOutputDataObject(2)));
     }
     const bool isField = checked->GetFieldData()->HasArray(names::UnwantedSingularities) != 0;
-    if (options.corners.empty() && !isField)
+    if (options.corners.empty() && !isField && !hasRegions)
     {
       CheckOutput::PrintCornerHint(domain, FieldValue(checked, names::RequiredInteriorQuarters));
     }
@@ -154,6 +164,7 @@ void AddCheckCommand(CLI::App& app, int& status)
       std::string(DomainReader::Help) + "; of a solved field the field itself is checked")
     ->required();
   options->boundary.AddTo(*command);
+  options->boundary.AddMaterialsTo(*command);
   AddSingularitiesTo(*command, options->singularities, "none");
   AddCornersTo(*command, options->corners);
   CLI::Option* proposing = command->add_option("--propose", options->proposal,

@@ -282,7 +282,6 @@ int Mesh(const QuadsOptions& options)
 void AddQuadsCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<QuadsOptions>();
-  options->boundary.materials.clear(); // Material or Region if the domain has it
   CLI::App* command = app.add_subcommand(
     "quads", "make an all-quad mesh with exactly the chosen irregular nodes, and its blocks");
   command->footer(
@@ -321,12 +320,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "boundary; default: Side if the domain has it, otherwise outer0, outer1, ..., hole0, ... between "
       "corners")
     ->type_name("ARRAY");
-  command
-    ->add_option("--materials", options->boundary.materials,
-      "cell array of a mesh, strings or integers, with the materials of its cells: quads are made for each "
-      "material and meet at the nodes of the lines between them; none: one material; default: Material or "
-      "Region if the domain has it")
-    ->type_name("ARRAY");
+  options->boundary.AddMaterialsTo(*command);
   options->sides.AddTo(*command);
   const std::vector<std::pair<std::string, int>> merges = { { "none", vtkQuadMesher::MergeNone },
     { "clean", vtkQuadMesher::MergeClean }, { "coarse", vtkQuadMesher::MergeCoarse } };

@@ -178,14 +178,16 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
 @checks_arguments
 def check(domain: Domain, singularities: Singularities = None, *,
           corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
-          holonomy: bool = True, cap_corners: bool = True) -> ConsistencyCheck:
+          holonomy: bool = True, cap_corners: bool = True,
+          materials: Optional[str] = None) -> ConsistencyCheck:
     """Checks whether singularities can exist on a domain, and why, by the Poincaré-Hopf theorem.
 
     The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
     then checked itself. A vertex of the boundary that turns by more than `corner_angle` degrees is
     a corner. `holonomy` also computes the holonomy defects of inner loops, which takes a solve.
-    `cap_corners` gives sharp corners of quarter index 2 index 1, as `quads` does. A configuration
-    that cannot exist is no error.
+    `cap_corners` gives sharp corners of quarter index 2 index 1, as `quads` does. `materials` is the
+    cell array of a mesh with the materials of its cells, as for `quads`: each region is checked by
+    itself. A configuration that cannot exist is no error.
 
     >>> checked = check("builtin:disk", [(0, 0, 1)])
     >>> checked.consistent, checked.report["required_interior_quarters"]
@@ -201,6 +203,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     filter_.SetCornerAngle(corner_angle)
     filter_.SetHolonomy(holonomy)
     filter_.SetCapCorners(cap_corners)
+    filter_.SetMaterialArray(materials or "")
     checked = pipeline.update(filter_).GetOutput()
     found = filter_.GetOutputDataObject(2)
     report = report_of("check", checked, corners=found, loops=filter_.GetOutputDataObject(1))

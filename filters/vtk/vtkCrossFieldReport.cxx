@@ -162,6 +162,9 @@ public:
       names::AmbiguousCorners, names::UnwantedSingularities, names::HoleDegree,
       names::HoleDegreeReliable, names::HolonomyDefect, names::Reason });
     this->AddRows("corners", "corners", { names::Angle, names::QuarterIndex, names::Cancellable });
+    this->AddColumns("regions", "Region",
+      { { "name", names::RegionMaterial }, names::RegionRequiredInteriorQuarters,
+        names::RegionGivenInteriorQuarters });
     this->AddRows("loops", "loops",
       { names::Valence, names::TangentTurning, names::CornerQuarters, names::RequiredPart });
   }

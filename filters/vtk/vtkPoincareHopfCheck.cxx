@@ -13,6 +13,9 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HolonomyCheck.h"
+#include "MaterialCheck.h"
+#include "RegionConversion.h"
+#include "RegionRequests.h"
 #include "SingularityRecord.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -51,6 +54,7 @@ struct Findings
   std::vector<int> holeDegrees;
   std::vector<int> holeDegreesReliable;
   int unwantedSingularities = 0;
+  std::vector<crossfield::RegionReport> regions; ///< With several materials.
   crossfield::DomainPlane plane;
 };
 
@@ -71,25 +75,29 @@ std::string DescribeCaps(std::size_t corners, int uncapped)
     " (CapCorners, --no-cap-corners).";
 }
 
-Findings CheckConfiguration(vtkObject* self, vtkDataSet* input, vtkDataSet* singularities,
-  vtkDataSet* corners, double cornerAngle, bool cap, bool holonomy,
-  const crossfield::Progress& progress)
+/** How configurations are checked. */
+struct CheckOptions
+{
+  double cornerAngle = 0.0;
+  bool cap = false;
+  bool holonomy = true;
+};
+
+/** Checks a configuration on a domain with chosen indices of corners. */
+Findings CheckDomain(const crossfield::PlanarDomain& domain,
+  const crossfield::Configuration& configuration, std::vector<crossfield::CornerChoice> choices,
+  const CheckOptions& options, const crossfield::Progress& progress)
 {
   Findings result;
-  const auto [domain, plane] = DomainConversion::ReadDomain(input, self);
-  std::vector<crossfield::CornerChoice> choices = CornerConversion::ReadCorners(corners, plane);
   const std::size_t given = choices.size();
   const crossfield::PoincareHopfCount uncapped =
-    crossfield::CountQuarters(domain.loops, 0, cornerAngle, choices);
-  if (cap)
+    crossfield::CountQuarters(domain.loops, 0, options.cornerAngle, choices);
+  if (options.cap)
   {
     choices = crossfield::CapCorners(uncapped, choices);
   }
   progress.Report(0.1);
-  const crossfield::Configuration configuration =
-    ConfigurationConversion::ReadConfiguration(singularities, plane);
   crossfield::RequireInside(domain, configuration);
-  result.plane = plane;
   std::vector<crossfield::CornerChoice> chosen = choices;
   int interior = crossfield::TotalQuarters(configuration);
   for (const crossfield::CornerChoice& choice : crossfield::BoundaryChoices(domain, configuration))
@@ -99,9 +107,9 @@ Findings CheckConfiguration(vtkObject* self, vtkDataSet* input, vtkDataSet* sing
   }
   result.count =
     crossfield::CountQuarters(crossfield::InsertBoundarySingularities(domain, configuration).loops,
-      interior, cornerAngle, chosen);
+      interior, options.cornerAngle, chosen);
   result.consistent = result.count.Consistent();
-  if (result.consistent && holonomy)
+  if (result.consistent && options.holonomy)
   {
     result.holonomyDefects =
       crossfield::HolonomyDefects(domain, configuration, choices, progress.Part(0.1, 1.0));
@@ -111,6 +119,86 @@ Findings CheckConfiguration(vtkObject* self, vtkDataSet* input, vtkDataSet* sing
   {
     result.reason += " " + DescribeCaps(choices.size() - given, uncapped.requiredInteriorQuarters);
   }
+  return result;
+}
+
+/** Adds up the counts of regions. */
+void Add(const crossfield::PoincareHopfCount& part, crossfield::PoincareHopfCount& sum)
+{
+  sum.eulerCharacteristic += part.eulerCharacteristic;
+  sum.valence += part.valence;
+  sum.tangentTurning += part.tangentTurning;
+  sum.requiredInteriorQuarters += part.requiredInteriorQuarters;
+  sum.givenInteriorQuarters += part.givenInteriorQuarters;
+  sum.corners.insert(sum.corners.end(), part.corners.begin(), part.corners.end());
+}
+
+/** Returns a sentence about the nodes of regions that are irregular nodes of the mesh. */
+std::string DescribeNodes(
+  const crossfield::RegionSet& set, const crossfield::RegionRequests& requests)
+{
+  std::string places;
+  int count = 0;
+  for (std::size_t n = 0; n < set.nodes.size(); ++n)
+  {
+    const int index = crossfield::IndexAt(set.nodes[n], requests.nodeCorners[n]);
+    if (index != 0 && !set.nodes[n].isOnBoundary)
+    {
+      places += (count++ > 0 ? ", " : "") + crossfield::Describe(set.nodes[n].place) + " (" +
+        std::to_string(4 - index) + " quads)";
+    }
+  }
+  return count == 0 ? std::string()
+    : count == 1    ? " The node of regions at " + places + " is an irregular node of the mesh."
+                    : " The nodes of regions at " + places + " are irregular nodes of the mesh.";
+}
+
+/** Checks a configuration in each region of a domain of several materials. */
+Findings CheckRegions(const RegionConversion::Regions& regions,
+  const crossfield::Configuration& configuration,
+  const std::vector<crossfield::CornerChoice>& choices, const CheckOptions& options,
+  const crossfield::Progress& progress)
+{
+  const crossfield::RegionSet& set = regions.set;
+  std::vector<crossfield::DomainPart> parts;
+  for (const crossfield::Region& region : set.regions)
+  {
+    parts.push_back({ region.domain, {}, {} });
+  }
+  crossfield::QuadRequest request;
+  request.singularities = configuration;
+  request.corners = choices;
+  const crossfield::RegionRequests requests = crossfield::SplitForRegions(set, parts, request);
+  Findings result;
+  result.plane = regions.plane;
+  result.consistent = true;
+  for (std::size_t r = 0; r < parts.size(); ++r)
+  {
+    const crossfield::QuadRequest& own = requests.ofRegions[r].request;
+    const auto size = static_cast<double>(parts.size());
+    const auto number = static_cast<double>(r);
+    const Findings found =
+      CheckDomain(parts[r].domain, own.singularities.value_or(crossfield::Configuration()),
+        own.corners, options, progress.Part(number / size, (number + 1.0) / size));
+    Add(found.count, result.count);
+    result.holonomyDefects.insert(
+      result.holonomyDefects.end(), found.holonomyDefects.begin(), found.holonomyDefects.end());
+    result.regions.push_back({ set.regions[r].material, found.count.requiredInteriorQuarters,
+      found.count.givenInteriorQuarters, 0 });
+    if (!found.consistent)
+    {
+      result.reason += (result.consistent ? "Material '" : " Material '") +
+        set.materials[static_cast<std::size_t>(set.regions[r].material)] + "' near " +
+        crossfield::Describe(parts[r].domain.loops[0][0]) + ": " + found.reason;
+      result.consistent = false;
+    }
+  }
+  if (result.consistent)
+  {
+    result.reason = "The quarter indices in each of the " + std::to_string(parts.size()) +
+      " regions add up to the sum that its corners require.";
+  }
+  result.reason += DescribeNodes(set, requests);
   return result;
 }
 
@@ -250,14 +338,39 @@ int vtkPoincareHopfCheck::RequestData(
   const auto check = [&](const crossfield::Progress& progress)
   {
     vtkUnstructuredGrid* field = AsField(domain);
-    const Findings findings = field != nullptr
-      ? CheckField(field, corners, progress)
-      : CheckConfiguration(this, domain, singularities, corners,
-          vtkMath::RadiansFromDegrees(this->CornerAngle), this->CapCorners, this->Holonomy,
-          progress);
+    const CheckOptions options = { vtkMath::RadiansFromDegrees(this->CornerAngle), this->CapCorners,
+      this->Holonomy };
+    const std::string materials =
+      field != nullptr ? std::string() : MaterialCheck::FindArray(domain, this->MaterialArray);
+    Findings findings;
+    std::vector<std::string> names;
+    if (field != nullptr)
+    {
+      findings = CheckField(field, corners, progress);
+    }
+    else if (!materials.empty())
+    {
+      const RegionConversion::Regions regions = RegionConversion::Read(domain, materials);
+      names = regions.set.materials;
+      findings = CheckRegions(regions,
+        ConfigurationConversion::ReadConfiguration(singularities, regions.plane),
+        CornerConversion::ReadCorners(corners, regions.plane), options, progress);
+    }
+    else
+    {
+      const auto [outline, plane] = DomainConversion::ReadDomain(domain, this);
+      findings =
+        CheckDomain(outline, ConfigurationConversion::ReadConfiguration(singularities, plane),
+          CornerConversion::ReadCorners(corners, plane), options, progress);
+      findings.plane = plane;
+    }
     vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
     output->ShallowCopy(domain);
     WriteFindings(findings, output->GetFieldData());
+    if (!findings.regions.empty())
+    {
+      RegionConversion::WriteCounts(findings.regions, names, output->GetFieldData());
+    }
     CornerConversion::WriteLoopTable(
       findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
     CornerConversion::WriteCountedCorners(
@@ -279,4 +392,5 @@ void vtkPoincareHopfCheck::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "CapCorners: " << (this->CapCorners ? "on" : "off") << "\n";
   os << indent << "Holonomy: " << (this->Holonomy ? "on" : "off") << "\n";
+  os << indent << "MaterialArray: " << this->MaterialArray << "\n";
 }

@@ -34,7 +34,12 @@
  * singularities (`UnwantedSingularities`, int). Without holes, the singularities that the boundary
  * requires and those prescribed for an H field do not count as unwanted.
  *
- * Output port 1 (vtkTable): one row per boundary loop, the outer one first: `BoundaryLoop` (int),
+ * With several materials (MaterialArray) these are sums over the regions, `Consistent` is 1 if each is
+ * consistent, and for each region there are `RegionMaterial` (string), `RegionRequiredInteriorQuarters` and
+ * `RegionGivenInteriorQuarters` (int). Indices of corners at nodes of regions are chosen for all regions together;
+ * `Reason` names those nodes that are irregular.
+ *
+ * Output port 1 (vtkTable, empty with several materials): one row per boundary loop, the outer one first: `BoundaryLoop` (int),
  * `Valence`, `TangentTurning` (double), `CornerQuarters` (int, Σ k_i), `RequiredPart` (int, the
  * contribution to the required sum), `HolonomyDefect` (double, NaN if there is none).
  *
@@ -64,6 +69,8 @@
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkDataSetAlgorithm.h"
+
+#include <string>
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkPoincareHopfCheck : public vtkDataSetAlgorithm
 {
@@ -104,6 +111,17 @@ public:
   vtkBooleanMacro(Holonomy, bool);
   ///@}
 
+  ///@{
+  /**
+   * Sets the cell array of materials, as in vtkQuadMesher: each region is checked by itself, with the
+   * singularities inside of it. Default: empty, `Material` or `Region`. `none`: one material.
+   */
+  vtkSetMacro(MaterialArray, std::string);
+  vtkGetMacro(MaterialArray, std::string);
+  ///@}
+  /** As above; a null pointer stands for an empty name. */
+  void SetMaterialArray(const char* name) { this->SetMaterialArray(std::string(name ? name : "")); }
+
 protected:
   vtkPoincareHopfCheck();
   ~vtkPoincareHopfCheck() override = default;
@@ -120,6 +138,7 @@ private:
   double CornerAngle = 30.0;
   bool CapCorners = false;
   bool Holonomy = true;
+  std::string MaterialArray;
 };
 
 #endif

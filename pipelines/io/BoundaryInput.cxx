@@ -90,6 +90,16 @@ void BoundaryOptions::AddTo(CLI::App& command)
     ->check(NumberCheck::Positive());
 }
 
+void BoundaryOptions::AddMaterialsTo(CLI::App& command)
+{
+  this->materials.clear();
+  command
+    .add_option("--materials", this->materials,
+      "cell array of a mesh, strings or integers, with the materials of its cells, each of which has "
+      "singularities of its own; none: one material; default: Material or Region if the domain has it")
+    ->type_name("ARRAY");
+}
+
 namespace BoundaryInput
 {
 vtkSmartPointer<vtkAlgorithm> Open(

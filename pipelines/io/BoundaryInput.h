@@ -29,6 +29,8 @@ struct BoundaryOptions
 
   /** Adds the options --part, --drawing-layer, --thin-boundary, --smooth-boundary and --join-tolerance. */
   void AddTo(CLI::App& command);
+  /** Adds --materials, and uses the materials of the domain by default. */
+  void AddMaterialsTo(CLI::App& command);
 };
 
 namespace BoundaryInput

@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -33,6 +34,16 @@ void Print(vtkPoincareHopfCheck* check)
             << FieldValue(domain, names::TangentTurning) << "\ninterior quarter indices: required "
             << FieldValue(domain, names::RequiredInteriorQuarters) << ", given "
             << FieldValue(domain, names::GivenInteriorQuarters) << "\n";
+  auto* materials =
+    vtkStringArray::SafeDownCast(domain->GetFieldData()->GetAbstractArray(names::RegionMaterial));
+  for (vtkIdType r = 0; materials != nullptr && r < materials->GetNumberOfValues(); ++r)
+  {
+    const auto count = [&](const char* name)
+    { return domain->GetFieldData()->GetArray(name)->GetTuple1(r); };
+    std::cout << "  " << materials->GetValue(r) << ": required "
+              << count(names::RegionRequiredInteriorQuarters) << ", given "
+              << count(names::RegionGivenInteriorQuarters) << "\n";
+  }
   auto* corners = vtkDataSet::SafeDownCast(check->GetOutputDataObject(2));
   for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
   {

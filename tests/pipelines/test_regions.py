@@ -68,6 +68,27 @@ class Regions(ProgramTest):
         whole = self.quads("strip.msh", "quads.vtu", "--quads", "400", "--materials", "none")
         self.assertNotIn("regions", whole)
 
+    def test_check_counts_each_region(self):
+        sectors = [[(math.cos(a), math.sin(a)) for a in (2 * math.pi / 3 * (i + j / 24) for j in range(25))] for i in range(3)]
+        nodes = [(0.0, 0.0)] + [point for sector in sectors for point in sector[:-1]]
+        faces = [(i + 1, (0, 1 + 24 * i + j, 1 + (24 * i + j + 1) % 72)) for i in range(3) for j in range(24)]
+        (self.folder / "y.msh").write_text(msh(nodes, faces, [], [(2, i + 1, name) for i, name in enumerate("abc")]))
+        process = self.run_program("check", "y.msh", "--json", "counts.json")
+        self.assertEqual(process.returncode, 1, process.stderr)
+        self.assertIn("Material 'a' near (", process.stderr)
+        self.assertIn("The node of regions at (0, 0) (3 quads) is an irregular node of the mesh.", process.stderr)
+        report = json.loads((self.folder / "counts.json").read_text())
+        self.assertEqual(report["regions"], [{"name": name, "required_interior_quarters": 1, "given_interior_quarters": 0}
+                                             for name in "abc"])
+        (self.folder / "s.csv").write_text("x,y,quarter_index\n" + "".join(
+            "%g,%g,1\n" % (0.5 * math.cos(a), 0.5 * math.sin(a)) for a in (math.pi / 3 * k for k in (1, 3, 5))))
+        report = json.loads(self.succeed("check", "y.msh", "-s", "s.csv", "--json", "-"))
+        self.assertTrue(report["consistent"])
+        self.assertEqual([region["given_interior_quarters"] for region in report["regions"]], [1, 1, 1])
+        self.assertIn("  b: required 1, given 1\n", self.succeed("check", "y.msh", "-s", "s.csv"))
+        self.assertNotIn("regions", json.loads(self.run_program("check", "y.msh", "--materials", "none", "--json", "-").stdout))
+        self.refuse("check", "y.msh", "--propose", "p.csv", says=("leave out --propose",))
+
     def test_what_is_not_available_is_refused(self):
         (self.folder / "strip.msh").write_text(strip(4, (1, 1)))
         for arguments, cause in ((("--merge", "clean"), "Merged blocks are not available for several materials"),

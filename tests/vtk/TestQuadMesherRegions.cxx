@@ -2,6 +2,7 @@
 
 #include "support/FilterChecks.h"
 #include "vtkBoundarySimplifier.h"
+#include "vtkPoincareHopfCheck.h"
 #include "vtkQuadMesher.h"
 
 #include "vtkCellArray.h"
@@ -144,5 +145,33 @@ TEST(QuadMesherRegions, NeedAnArrayOfMaterials)
   mesher->SetMaterialArray("Grain");
   EXPECT_NE(
     FilterChecks::CaptureError(mesher, { "no cell array 'Grain'", "give the name of one" }), 0U);
+}
+
+TEST(PoincareHopfCheckRegions, CountsEachRegion)
+{
+  vtkNew<vtkPoincareHopfCheck> check;
+  check->SetInputData(TwoSquares("Material"));
+  check->Update();
+  ASSERT_EQ(check->GetErrorCode(), 0U);
+  vtkFieldData* data = check->GetOutput()->GetFieldData();
+  EXPECT_EQ(data->GetArray("Consistent")->GetTuple1(0), 1.0);
+  auto* materials = vtkStringArray::SafeDownCast(data->GetAbstractArray("RegionMaterial"));
+  ASSERT_NE(materials, nullptr);
+  ASSERT_EQ(materials->GetNumberOfValues(), 2);
+  EXPECT_EQ(materials->GetValue(0), "3");
+  for (const char* name : { "RegionRequiredInteriorQuarters", "RegionGivenInteriorQuarters" })
+  {
+    EXPECT_EQ(data->GetArray(name)->GetTuple1(0), 0.0);
+    EXPECT_EQ(data->GetArray(name)->GetTuple1(1), 0.0);
+  }
+  check->SetInputData(TwoSquares("Grain"));
+  check->SetMaterialArray("Grain");
+  check->Update();
+  EXPECT_NE(check->GetOutput()->GetFieldData()->GetAbstractArray("RegionMaterial"), nullptr);
+  check->SetMaterialArray("none");
+  check->Update();
+  EXPECT_EQ(check->GetOutput()->GetFieldData()->GetAbstractArray("RegionMaterial"), nullptr);
+  check->SetMaterialArray("Alloy");
+  EXPECT_NE(FilterChecks::CaptureError(check, { "no cell array 'Alloy'" }), 0U);
 }
 }

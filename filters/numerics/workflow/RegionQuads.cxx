@@ -53,27 +53,10 @@ public:
     : Set(set)
     , Parts(parts)
     , Request(request)
-    , Requests(SplitForRegions(set, parts, request))
   {
-    std::vector<std::vector<CornerChoice>> given;
-    for (const PartRequest& one : this->Requests)
-    {
-      given.push_back(one.request.corners);
-    }
-    this->NodeCorners = FindNodeCorners(set, given);
-    for (const std::vector<RegionCorner>& corners : this->NodeCorners)
-    {
-      for (const RegionCorner& one : corners)
-      {
-        std::vector<CornerChoice>& own = this->Requests[one.region].request.corners;
-        const bool isGiven = std::any_of(own.begin(), own.end(),
-          [&one](const CornerChoice& choice) { return choice.position == one.corner.position; });
-        if (!isGiven && one.quarterIndex != SmallestRotationIndex(one.corner.Turning()))
-        {
-          own.push_back({ one.corner.position, one.quarterIndex });
-        }
-      }
-    }
+    RegionRequests requests = SplitForRegions(set, parts, request);
+    this->Requests = std::move(requests.ofRegions);
+    this->NodeCorners = std::move(requests.nodeCorners);
   }
 
   QuadWorkflowResult Run(const Progress& progress)

@@ -1,6 +1,7 @@
 #include "RegionRequests.h"
 
 #include "Index.h"
+#include "PoincareHopf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,15 +107,40 @@ void AddSizesInside(
     }
   }
 }
+
+/// Chooses the indices of corners at nodes and adds them to the requests of the regions.
+void CompleteNodeCorners(const RegionSet& set, RegionRequests& requests)
+{
+  std::vector<std::vector<CornerChoice>> given;
+  for (const PartRequest& one : requests.ofRegions)
+  {
+    given.push_back(one.request.corners);
+  }
+  requests.nodeCorners = FindNodeCorners(set, given);
+  for (const std::vector<RegionCorner>& corners : requests.nodeCorners)
+  {
+    for (const RegionCorner& one : corners)
+    {
+      std::vector<CornerChoice>& own = requests.ofRegions[one.region].request.corners;
+      const bool isGiven = std::any_of(own.begin(), own.end(),
+        [&one](const CornerChoice& choice) { return choice.position == one.corner.position; });
+      if (!isGiven && one.quarterIndex != SmallestRotationIndex(one.corner.Turning()))
+      {
+        own.push_back({ one.corner.position, one.quarterIndex });
+      }
+    }
+  }
+}
 }
 
-std::vector<PartRequest> SplitForRegions(
+RegionRequests SplitForRegions(
   const RegionSet& set, const std::vector<DomainPart>& parts, const QuadRequest& request)
 {
   QuadRequest rest = request;
   const std::vector<double> sizes = TakeSizesInside(set, rest);
-  std::vector<PartRequest> requests = SplitRequest(parts, ForPieces(set, std::move(rest)));
-  AddSizesInside(set, sizes, requests);
+  RegionRequests requests{ SplitRequest(parts, ForPieces(set, std::move(rest))), {} };
+  AddSizesInside(set, sizes, requests.ofRegions);
+  CompleteNodeCorners(set, requests);
   return requests;
 }
 }

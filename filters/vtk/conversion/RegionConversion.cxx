@@ -109,6 +109,20 @@ Regions Read(vtkDataSet* input, const std::string& array)
 }
 
 //------------------------------------------------------------------------------
+void WriteCounts(const std::vector<crossfield::RegionReport>& regions,
+  const std::vector<std::string>& materials, vtkFieldData* report)
+{
+  using crossfield::RegionReport;
+  ColumnWriting::AddColumn<vtkStringArray>(report, names::RegionMaterial, regions,
+    [&](const RegionReport& region)
+    { return materials[static_cast<std::size_t>(region.material)]; });
+  ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionRequiredInteriorQuarters, regions,
+    [](const RegionReport& region) { return region.requiredQuarters; });
+  ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionGivenInteriorQuarters, regions,
+    [](const RegionReport& region) { return region.givenQuarters; });
+}
+
+//------------------------------------------------------------------------------
 void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
   vtkUnstructuredGrid* quads, vtkMultiBlockDataSet* blocks, vtkPolyData* boundary,
   vtkFieldData* report)
@@ -158,16 +172,9 @@ void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
     ColumnWriting::AddColumn<vtkStringArray>(report, names::RegionName, regions.set.materials,
       [](const std::string& name) { return name; });
   }
-  using crossfield::RegionReport;
-  ColumnWriting::AddColumn<vtkStringArray>(report, names::RegionMaterial, result.regions,
-    [&](const RegionReport& region)
-    { return result.materials[static_cast<std::size_t>(region.material)]; });
+  WriteCounts(result.regions, result.materials, report);
   ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionQuads, result.regions,
-    [](const RegionReport& region) { return static_cast<int>(region.quads); });
-  ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionRequiredInteriorQuarters,
-    result.regions, [](const RegionReport& region) { return region.requiredQuarters; });
-  ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionGivenInteriorQuarters, result.regions,
-    [](const RegionReport& region) { return region.givenQuarters; });
+    [](const crossfield::RegionReport& region) { return static_cast<int>(region.quads); });
   using crossfield::InterfaceMeasure;
   ColumnWriting::AddColumn<vtkStringArray>(report, names::InterfaceName, result.interfaces,
     [](const InterfaceMeasure& interface) { return interface.side; });

@@ -35,6 +35,13 @@ struct Regions
 Regions Read(vtkDataSet* input, const std::string& array);
 
 /**
+ * Adds for each region `RegionMaterial` (string), `RegionRequiredInteriorQuarters` and
+ * `RegionGivenInteriorQuarters` (int) to a report.
+ */
+void WriteCounts(const std::vector<crossfield::RegionReport>& regions,
+  const std::vector<std::string>& materials, vtkFieldData* report);
+
+/**
  * Adds `Region` (int), the value of the material, to the quads, to the cells of blocks and to boundary edges, where it
  * is that on their left, and `RegionLeft` and `RegionRight` to boundary edges (−1 outside). To the report it adds, if
  * materials are strings, `RegionName` (string), the material of each value, and for each region `RegionMaterial`
