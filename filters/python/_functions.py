@@ -195,7 +195,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     """
     pipeline = Pipeline()
     filter_ = pipeline.add(vtkPoincareHopfCheck())
-    filter_.SetInputData(as_domain(domain, None))
+    filter_.SetInputData(as_domain(domain, None, materials))
     if singularities is not None:
         filter_.SetSingularitiesData(as_configuration(singularities))
     if corners is not None:
@@ -203,7 +203,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     filter_.SetCornerAngle(corner_angle)
     filter_.SetHolonomy(holonomy)
     filter_.SetCapCorners(cap_corners)
-    filter_.SetMaterialArray(materials or "")
+    filter_.SetMaterialArray(materials if materials and materials != "curves" else "")
     checked = pipeline.update(filter_).GetOutput()
     found = filter_.GetOutputDataObject(2)
     report = report_of("check", checked, corners=found, loops=filter_.GetOutputDataObject(1))

@@ -92,11 +92,12 @@ def _loops(loops: Any) -> vtkPolyData:
 
 
 @checks_arguments
-def read(path: Path, join_tolerance: Optional[float] = None,
-         layers: Sequence[str] = ()) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+def read(path: Path, join_tolerance: Optional[float] = None, layers: Sequence[str] = (),
+         closed_curves_are_regions: bool = False) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
     aerofoil .dat, or a drawing: .dxf .svg .geojson .msh .poly .off .step .brep, whose open ends are joined within
-    `join_tolerance`, by default 1e-5 of its diagonal. Of a drawing, the curves of `layers` are used, by default all. "builtin:NAME" is a built-in domain.
+    `join_tolerance`, by default 1e-5 of its diagonal. Of a drawing, the curves of `layers` are used, by default all. With `closed_curves_are_regions` each closed curve of it bounds a material, except those whose names
+    begin with "hole". "builtin:NAME" is a built-in domain.
 
     Raises Error if there is no such file or domain, or the file cannot be read or holds no cells.
     """
@@ -111,9 +112,10 @@ def read(path: Path, join_tolerance: Optional[float] = None,
         drawing.SetFileName(path)
         drawing.SetJoinTolerance(join_tolerance or 0.0)
         drawing.SetLayers(";".join(layers))
+        drawing.SetClosedCurvesAreRegions(closed_curves_are_regions)
         return Pipeline().update_one(drawing).GetOutput()
-    if layers:
-        raise Error("The file '%s' is no drawing and has no layers; leave them out." % path)
+    if layers or closed_curves_are_regions:
+        raise Error("The file '%s' is no drawing and has no layers or curves; leave them out." % path)
     if ending in (".csv", ".dat"):
         reader = vtkPlanarDomainReader()
         reader.SetFileName(path)
@@ -157,8 +159,14 @@ def _as_curves_or_surfaces(data: vtkDataSet) -> Union[vtkPolyData, vtkUnstructur
     return Pipeline().update_one(append).GetOutput()
 
 
-def as_domain(domain: Domain, size: Optional[float]) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """Returns the data set of a domain; curves of built-in domains are sampled at `size`."""
+def as_domain(domain: Domain, size: Optional[float],
+              materials: Optional[str] = None) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+    """Returns the data set of a domain; curves of built-in domains are sampled at `size`. With the materials
+    "curves" the domain must be a drawing."""
+    if materials == "curves":
+        if not isinstance(domain, (str, os.PathLike)):
+            raise Error("The materials \"curves\" are those of a drawing; give the name of its file.")
+        return read(domain, closed_curves_are_regions=True)
     if isinstance(domain, vtkDataSet):
         if domain.GetNumberOfCells() == 0:  # the filters would return an empty output
             raise Error("The domain has no cells; give boundary lines or a triangle mesh.")

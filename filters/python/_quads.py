@@ -295,7 +295,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    "Side" if the domain has it, otherwise "outer0", "outer1", ..., "hole0", ... between corners
     materials      name of the cell array of a mesh with the materials of its cells, strings or integers: quads are made
                    for each material and meet at the nodes between them, sides of the name "steel+copper", and
-                   report["regions"] has each region; "none": one material; default: "Material" or "Region" if the
+                   report["regions"] has each region; "curves": every closed curve of a drawing bounds a material,
+                   except those whose names begin with "hole"; "none": one material; default: "Material" or "Region" if the
                    domain has it
     counts         number of edges by the name of a side
     progressions   last edge over the first by the name of a side, with the domain on the left; or the lengths
@@ -353,7 +354,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     if sizing == "field" and size is not None:
         raise Error("The sizing 'field' has its sizes in the array; leave size out, or give count.")
     pipeline = Pipeline()
-    data = as_domain(domain, mesh_size)
+    data = as_domain(domain, mesh_size, materials)
     mesher = pipeline.add(vtkQuadMesher())
     mesher.SetInputData(data)
     mesher.SetQuadSize(checked(size))
@@ -368,7 +369,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetSideNameArray(names or "")
-    mesher.SetMaterialArray(materials or "")
+    mesher.SetMaterialArray(materials if materials and materials != "curves" else "")
     for side, edges in dictionary(counts or {}, "argument counts", "{'wall': 40}").items():
         mesher.AddSide(side, str(whole(edges, "count of '%s'" % side)), "", "")
     for side, progression in dictionary(progressions or {}, "argument progressions", "{'wall': 2.0}").items():

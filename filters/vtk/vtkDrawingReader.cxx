@@ -94,7 +94,10 @@ int vtkDrawingReader::RequestData(
       progress.Report(ReadShare);
       const double turn = this->SamplingAngle * crossfield::Pi / 180.0;
       std::optional<crossfield::DrawingOutline> outline;
-      if (drawing.faces.empty())
+      const bool areRegions = this->ClosedCurvesAreRegions && drawing.faces.empty() &&
+        crossfield::TraceRegions(
+          this->JoinTolerance, turn, crossfield::ClosedCurves::Regions, drawing);
+      if (!areRegions && drawing.faces.empty())
       {
         try
         {
@@ -103,7 +106,8 @@ int vtkDrawingReader::RequestData(
         catch (const crossfield::Error&)
         {
           // Curves that branch may bound regions.
-          if (!crossfield::TraceRegions(this->JoinTolerance, turn, drawing))
+          if (!crossfield::TraceRegions(
+                this->JoinTolerance, turn, crossfield::ClosedCurves::Holes, drawing))
           {
             throw;
           }
@@ -131,5 +135,7 @@ void vtkDrawingReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << this->FileName << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "JoinTolerance: " << this->JoinTolerance << "\n";
+  os << indent << "ClosedCurvesAreRegions: " << (this->ClosedCurvesAreRegions ? "on" : "off")
+     << "\n";
   os << indent << "SamplingAngle: " << this->SamplingAngle << "\n";
 }

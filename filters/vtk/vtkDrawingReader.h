@@ -84,6 +84,17 @@ public:
 
   ///@{
   /**
+   * Makes a region of a material of what each closed curve bounds, except curves whose names begin with `hole`. The
+   * material is the name of the curves around a region if not all regions have the same, otherwise `region1`,
+   * `region2`, ... by decreasing area. Default: off, closed curves inside of others are holes.
+   */
+  vtkSetMacro(ClosedCurvesAreRegions, bool);
+  vtkGetMacro(ClosedCurvesAreRegions, bool);
+  vtkBooleanMacro(ClosedCurvesAreRegions, bool);
+  ///@}
+
+  ///@{
+  /**
    * Sets the maximum turn of a curve along one line, in degrees from 0.1 to 30. Default: 5.
    */
   vtkSetClampMacro(SamplingAngle, double, 0.1, 30.0);
@@ -113,6 +124,7 @@ private:
   std::string Layers;
   double JoinTolerance = 0.0;
   double SamplingAngle = 5.0;
+  bool ClosedCurvesAreRegions = false;
 };
 
 #endif

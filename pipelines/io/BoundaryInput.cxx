@@ -1,6 +1,5 @@
 #include "BoundaryInput.h"
 
-#include "DomainReader.h"
 #include "NumberCheck.h"
 #include "vtkBoundarySimplifier.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -69,7 +68,7 @@ void BoundaryOptions::AddTo(CLI::App& command)
       "side that one part alone has")
     ->type_name("NAME|N|largest");
   command
-    .add_option("--drawing-layer", this->layers,
+    .add_option("--drawing-layer", this->drawing.layers,
       "use the curves of this layer of a drawing only; may be repeated")
     ->type_name("NAME")
     ->expected(1)
@@ -84,7 +83,7 @@ void BoundaryOptions::AddTo(CLI::App& command)
       "smooth ragged boundaries: waves below this length, positive; default: no smoothing")
     ->check(NumberCheck::Positive());
   command
-    .add_option("--join-tolerance", this->joinTolerance,
+    .add_option("--join-tolerance", this->drawing.joinTolerance,
       "join open ends of the curves of a drawing within this distance, positive; default: 1e-5 of "
       "the drawing's diagonal")
     ->check(NumberCheck::Positive());
@@ -94,9 +93,16 @@ void BoundaryOptions::AddMaterialsTo(CLI::App& command)
 {
   this->materials.clear();
   command
-    .add_option("--materials", this->materials,
+    .add_option_function<std::string>(
+      "--materials",
+      [this](const std::string& name)
+      {
+        this->drawing.closedCurvesAreRegions = name == "curves";
+        this->materials = this->drawing.closedCurvesAreRegions ? "" : name;
+      },
       "cell array of a mesh, strings or integers, with the materials of its cells, each of which has "
-      "singularities of its own; none: one material; default: Material or Region if the domain has it")
+      "singularities of its own; curves: every closed curve of a drawing bounds a material, except those "
+      "whose names begin with hole; none: one material; default: Material or Region if the domain has it")
     ->type_name("ARRAY");
 }
 
@@ -106,8 +112,7 @@ vtkSmartPointer<vtkAlgorithm> Open(
   const std::string& name, double size, const BoundaryOptions& options)
 {
   auto simplifier = vtkSmartPointer<vtkBoundarySimplifier>::New();
-  simplifier->SetInputConnection(
-    DomainReader::Open(name, size, options.joinTolerance, options.layers)->GetOutputPort());
+  simplifier->SetInputConnection(DomainReader::Open(name, size, options.drawing)->GetOutputPort());
   simplifier->SetPart(options.part);
   simplifier->SetMeshSize(size);
   simplifier->SetThinningLength(options.thinning);

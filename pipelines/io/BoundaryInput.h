@@ -1,6 +1,8 @@
 #ifndef BoundaryInput_h
 #define BoundaryInput_h
 
+#include "DomainReader.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h"
 
@@ -16,11 +18,10 @@ class App;
 /** Options that simplify the boundary of a command's domain. */
 struct BoundaryOptions
 {
-  std::string part;                                  ///< Part of vtkBoundarySimplifier.
-  std::vector<std::string> layers;                   ///< Layers of vtkDrawingReader.
-  double thinning = -1.0;                            ///< ThinningLength of vtkBoundarySimplifier.
-  double smoothing = 0.0;                            ///< SmoothingLength of vtkBoundarySimplifier.
-  double joinTolerance = 0.0;                        ///< JoinTolerance of vtkDrawingReader.
+  std::string part;       ///< Part of vtkBoundarySimplifier.
+  double thinning = -1.0; ///< ThinningLength of vtkBoundarySimplifier.
+  double smoothing = 0.0; ///< SmoothingLength of vtkBoundarySimplifier.
+  DomainReader::DrawingOptions drawing;
   std::string names;                                 ///< SideNameArray of vtkBoundarySimplifier.
   std::string materials = "none";                    ///< MaterialArray of vtkBoundarySimplifier.
   std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.

@@ -148,18 +148,19 @@ vtkSmartPointer<vtkAlgorithm> OpenLoops(const std::string& file, const std::stri
 }
 
 /** Reads a drawing. Open CASCADE may crash on a damaged model, so models are read in isolation. */
-vtkSmartPointer<vtkAlgorithm> OpenDrawing(const std::string& file, const std::string& ending,
-  double joinTolerance, const std::vector<std::string>& layers)
+vtkSmartPointer<vtkAlgorithm> OpenDrawing(
+  const std::string& file, const std::string& ending, const DomainReader::DrawingOptions& options)
 {
   vtkNew<vtkDrawingReader> reader;
   reader->SetFileName(file);
   std::string names;
-  for (const std::string& layer : layers)
+  for (const std::string& layer : options.layers)
   {
     names += layer + ";";
   }
   reader->SetLayers(names);
-  reader->SetJoinTolerance(joinTolerance);
+  reader->SetJoinTolerance(options.joinTolerance);
+  reader->SetClosedCurvesAreRegions(options.closedCurvesAreRegions);
   if (ending == ".step" || ending == ".stp" || ending == ".brep")
   {
     try
@@ -219,18 +220,19 @@ const char* const Help =
   "with the points x,y or x,y,z of loops, an aerofoil .dat, a drawing .dxf .svg .geojson .msh .poly .off .step "
   ".brep, - for standard input, or builtin:NAME (see `crossfield domain --help`)";
 
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, double joinTolerance,
-  const std::vector<std::string>& layers)
+vtkSmartPointer<vtkAlgorithm> Open(
+  const std::string& name, double edgeLength, const DrawingOptions& drawing)
 {
   const std::string argument = NameOfInput(name);
   const std::string builtin = "builtin:";
   const bool isBuiltin = argument.compare(0, builtin.size(), builtin) == 0;
   const bool isFile = vtksys::SystemTools::FileExists(argument, true);
-  if (!layers.empty() &&
-    (isBuiltin || (isFile && vtkDrawingReader::CanReadFile(argument.c_str()) == 0)))
+  const bool isDrawing =
+    !isBuiltin && (!isFile || vtkDrawingReader::CanReadFile(argument.c_str()) != 0);
+  if (!isDrawing && (!drawing.layers.empty() || drawing.closedCurvesAreRegions))
   {
-    throw Error(
-      "--drawing-layer: the domain '" + argument + "' is no drawing; leave the option out.");
+    throw Error(std::string(drawing.layers.empty() ? "--materials curves" : "--drawing-layer") +
+      ": the domain '" + argument + "' is no drawing; leave the option out.");
   }
   if (isBuiltin)
   {
@@ -277,7 +279,7 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, d
   }
   if (vtkDrawingReader::CanReadFile(argument.c_str()) != 0)
   {
-    return OpenDrawing(argument, ending, joinTolerance, layers);
+    return OpenDrawing(argument, ending, drawing);
   }
   if (ending == ".csv" || ending == ".dat")
   {

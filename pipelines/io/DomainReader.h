@@ -17,17 +17,24 @@ namespace DomainReader
 /** Help text for the argument. */
 extern const char* const Help;
 
+/** How a drawing is read, by properties of vtkDrawingReader. */
+struct DrawingOptions
+{
+  double joinTolerance = 0.0;
+  std::vector<std::string> layers;
+  bool closedCurvesAreRegions = false;
+};
+
 /**
  * Returns a source or reader for the argument: VTK's readers for .vtp .vtu .vtk .stl .obj .ply,
- * vtkDrawingReader for drawings and aerofoils, with ends of curves joined within `joinTolerance` (0:
- * the default) and the curves of `layers` only, if there are any, vtkPlanarDomainReader for .csv and
+ * vtkDrawingReader for drawings and aerofoils, vtkPlanarDomainReader for .csv and
  * other .dat, and vtkPlanarDomainSource for builtin:NAME, with curves sampled at `edgeLength` (0: the
  * default). "-" is standard input; the type of data from standard input and other pipes follows from
  * their first bytes. Throws PipelineRun::Error for a file that
  * is missing, cannot be read or has no cells, and for an unknown ending.
  */
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength,
-  double joinTolerance = 0.0, const std::vector<std::string>& layers = {});
+vtkSmartPointer<vtkAlgorithm> Open(
+  const std::string& name, double edgeLength, const DrawingOptions& drawing = {});
 
 /** Returns a source or reader for points with quarter indices: .vtp or .csv; "-" is standard input.
  */

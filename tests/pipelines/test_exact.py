@@ -52,12 +52,13 @@ class WholeRuns(ProgramTest):
             self.assertAlmostEqual(found, old, delta=0.25 * old + 0.05)
 
 
-class GalleryOfQuads(ProgramTest):
-    def test_the_page_has_the_numbers_of_the_program(self):
-        subprocess.run([sys.executable, str(ROOT / "scripts/quads_gallery.py"), PROGRAM, str(self.folder)], check=True,
+class Gallery(ProgramTest):
+    def compare(self, page, maker):
+        """Compares a page of docs with what a script in scripts writes."""
+        subprocess.run([sys.executable, str(ROOT / "scripts" / maker), PROGRAM, str(self.folder)], check=True,
                        stdout=subprocess.DEVNULL)
-        made = (self.folder / "quads.md").read_text(encoding="utf-8").splitlines()
-        written = (ROOT / "docs/quads.md").read_text(encoding="utf-8").splitlines()
+        made = (self.folder / page).read_text(encoding="utf-8").splitlines()
+        written = (ROOT / "docs" / page).read_text(encoding="utf-8").splitlines()
         self.assertEqual(len(made), len(written))
         rows = [pair for pair in zip(made, written) if pair[0].startswith("| ") and pair[0] != pair[1]]
         self.assertEqual([pair for pair in zip(made, written) if pair[0] != pair[1] and pair not in rows], [])
@@ -70,4 +71,14 @@ class GalleryOfQuads(ProgramTest):
             if number.sub("", cells[0]) != number.sub("", cells[1]) or any(
                     abs(a - b) > max(0.05 * abs(b), 1.0 if b == int(b) else 1e-3) for a, b in zip(*values)):
                 changed.append((new, old))
-        self.assertEqual(changed, [], "scripts/quads.sh makes the page")
+        self.assertEqual(changed, [], "%s writes the page" % maker)
+
+
+class GalleryOfQuads(Gallery):
+    def test_the_page_has_the_numbers_of_the_program(self):
+        self.compare("quads.md", "quads_gallery.py")
+
+
+class GalleryOfRegions(Gallery):
+    def test_the_page_has_the_numbers_of_the_program(self):
+        self.compare("regions_gallery.md", "regions_gallery.py")

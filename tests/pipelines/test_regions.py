@@ -2,12 +2,15 @@
 import collections
 import json
 import math
+import pathlib
 import re
 import shutil
 import subprocess
 import unittest
 
 from program import ProgramTest
+
+REGIONS = pathlib.Path(__file__).resolve().parent.parent / "data" / "regions"
 
 try:
     import meshio
@@ -88,6 +91,54 @@ class Regions(ProgramTest):
         self.assertIn("  b: required 1, given 1\n", self.succeed("check", "y.msh", "-s", "s.csv"))
         self.assertNotIn("regions", json.loads(self.run_program("check", "y.msh", "--materials", "none", "--json", "-").stdout))
         self.refuse("check", "y.msh", "--propose", "p.csv", says=("leave out --propose",))
+
+    def test_singularities_may_reach_an_interface(self):
+        # The lake has one on its shore, which is an irregular node of the whole mesh.
+        report = self.quads(REGIONS / "lake_in_coast.vtp", "quads.vtu", "--size", "0.25")
+        self.assertEqual(report["irregular"], report["asked"])
+        for region in report["regions"]:
+            self.assertEqual(region["required_interior_quarters"], region["given_interior_quarters"])
+
+    def test_counts_are_symmetric_and_reach_all_sides(self):
+        report = self.quads(REGIONS / "pipe.vtp", "quads.vtu", "--size", "0.15", "--curves", "auto",
+                            "--count", "insulation+steel:72")
+        edges = {side["name"]: side["edges"] for side in report["sides"]}
+        self.assertEqual((edges["steel+insulation"], edges["insulation+soil"]), (72, 72))
+        self.assertEqual(edges["outer1"], edges["outer3"])
+        self.assertLess(edges["outer2"], 1.6 * edges["outer0"])
+
+    def test_sizes_in_materials_are_targets(self):
+        lakes = REGIONS / "lakes.vtp"
+        report = json.loads(self.run_program("quads", lakes, "-o", "q.vtu", "--size", "0.16", "--size-in", "lake:0.08",
+                                             "--json", "-").stdout)
+        self.assertGreater(report["size_target"]["area_share"], 0.8)
+        self.refuse("quads", lakes, "-o", "q.vtu", "--size-in", "pond:0.1",
+                    says=("no material or side 'pond'", "'sea', 'land', 'lake'"))
+
+    def test_attainable_shape_knows_the_angles_of_regions(self):
+        oblique = msh([(0, 0), (1, 0), (2, 0), (2, 1), (1.5, 1), (0, 1)], [(1, (0, 1, 4, 5)), (2, (1, 2, 3, 4))], [],
+                      [(2, 1, "a"), (2, 2, "b")])
+        (self.folder / "oblique.msh").write_text(oblique)
+        jacobian = self.quads("oblique.msh", "quads.vtu", "--quads", "300")["scaled_jacobian"]
+        self.assertAlmostEqual(jacobian["bound"], 2 / math.sqrt(5), 6)
+        self.assertAlmostEqual(jacobian["min"], 2 / math.sqrt(5), 4)
+
+    def test_cells_that_touch_share_points(self):
+        nodes = [(0, 0), (1, 0), (1, 1), (0, 1), (2, 0), (2, 0.5), (1, 0.5), (2, 1)]
+        (self.folder / "t.msh").write_text(msh(nodes, [(1, (0, 1, 2, 3)), (2, (1, 4, 5, 6)), (3, (6, 5, 7, 2))], [],
+                                               [(2, 1, "a"), (2, 2, "b"), (2, 3, "c")]))
+        self.refuse("quads", "t.msh", "-o", "q.vtu", says=("The point at (1, 0.5) is on the edge of another cell",))
+
+    def test_closed_curves_of_a_drawing_bound_materials(self):
+        (self.folder / "pipe.svg").write_text(
+            '<svg xmlns="http://www.w3.org/2000/svg" viewBox="-9 -9 90 90"><rect id="soil" width="40" height="30"/>'
+            '<circle id="wool" cx="20" cy="18" r="8"/><circle id="steel" cx="20" cy="18" r="5"/>'
+            '<circle id="hole" cx="20" cy="18" r="4"/></svg>')
+        report = self.quads("pipe.svg", "quads.vtu", "--materials", "curves", "--curves", "auto", "--quads", "900")
+        self.assertEqual([region["name"] for region in report["regions"]], ["soil", "wool", "steel"])
+        self.assertEqual({side["name"] for side in report["sides"]}, {"soil", "wool", "steel", "hole"})
+        self.assertNotIn("regions", self.quads("pipe.svg", "quads.vtu", "--quads", "900"))
+        self.refuse("quads", "builtin:disk", "-o", "q.vtu", "--materials", "curves", says=("is no drawing",))
 
     def test_what_is_not_available_is_refused(self):
         (self.folder / "strip.msh").write_text(strip(4, (1, 1)))

@@ -251,12 +251,20 @@ private:
   const double Tolerance;
 };
 
+/// A bounded face of a network.
+struct Face
+{
+  Loop polygon;
+  std::string name; ///< Common name of the lines around it; empty if they have none.
+};
+
 /// The faces of a network.
 class FaceTracer
 {
 public:
-  explicit FaceTracer(const std::vector<Line>& lines)
+  FaceTracer(const std::vector<Line>& lines, ClosedCurves closedCurves)
     : Lines(lines)
+    , Closed(closedCurves)
   {
     for (int half = 0; half < 2 * static_cast<int>(lines.size()); ++half)
     {
@@ -276,11 +284,11 @@ public:
   }
 
   /// Returns each face as one polygon, with slits to its holes, the largest first.
-  std::vector<Loop> Trace()
+  std::vector<Face> Trace()
   {
     std::vector<bool> done(2 * this->Lines.size(), false);
-    std::vector<Loop> outer;
-    std::vector<Loop> closed;   // curves that meet no other
+    std::vector<Face> outer;
+    std::vector<Face> closed;   // curves that meet no other
     std::vector<Loop> outlines; // of connected sets of lines, clockwise
     for (int start = 0; start < static_cast<int>(done.size()); ++start)
     {
@@ -288,30 +296,41 @@ public:
       {
         continue;
       }
-      Loop loop;
+      Face face;
       int lines = 0;
+      bool isRing = true; // of lines that meet no others
+      bool haveOneName = true;
       for (int half = start; !done[static_cast<std::size_t>(half)]; half = this->NextOf(half))
       {
         done[static_cast<std::size_t>(half)] = true;
         const Loop points = this->PointsOf(half);
-        loop.insert(loop.end(), points.begin(), points.end() - 1);
-        ++lines;
+        face.polygon.insert(face.polygon.end(), points.begin(), points.end() - 1);
+        const std::string& name = this->Lines[static_cast<std::size_t>(half / 2)].name;
+        face.name = lines++ == 0 ? name : face.name;
+        haveOneName = haveOneName && name == face.name;
+        isRing = isRing && this->Leaving.at(KeyOf(points.front())).size() == 2;
       }
-      (SignedArea(loop) < 0.0 ? outlines : lines == 1 ? closed : outer).push_back(std::move(loop));
-    }
-    // A closed curve inside of a region is a hole, one around others a region.
-    for (Loop& loop : closed)
-    {
-      const auto contains = [&loop](const Loop& other)
-      { return &other != &loop && !other.empty() && Contains(other, loop); };
-      if (std::none_of(outer.begin(), outer.end(), contains) &&
-        std::none_of(closed.begin(), closed.end(), contains))
+      face.name = haveOneName ? face.name : "";
+      if (SignedArea(face.polygon) < 0.0)
       {
-        outer.push_back(std::move(loop));
+        outlines.push_back(std::move(face.polygon));
+      }
+      else
+      {
+        (isRing ? closed : outer).push_back(std::move(face));
       }
     }
-    const auto isLarger = [](const Loop& a, const Loop& b)
-    { return SignedArea(a) > SignedArea(b); };
+    const std::size_t connected = outer.size();
+    outer.insert(outer.end(), closed.begin(), closed.end());
+    // A closed curve inside of a region is a hole, one inside of that is a region.
+    for (std::size_t f = connected; f < outer.size() && this->Closed == ClosedCurves::Holes; ++f)
+    {
+      const auto around = std::count_if(outer.begin(), outer.end(),
+        [&](const Face& other) { return Contains(other.polygon, outer[f].polygon); });
+      outer[f].name = around % 2 == 1 ? Hole : outer[f].name;
+    }
+    const auto isLarger = [](const Face& a, const Face& b)
+    { return SignedArea(a.polygon) > SignedArea(b.polygon); };
     std::sort(outer.begin(), outer.end(), isLarger);
     std::vector<std::vector<Loop>> holes(outer.size());
     for (const Loop& outline : outlines)
@@ -319,7 +338,7 @@ public:
       // The smallest face around it.
       for (std::size_t f = outer.size(); f-- > 0;)
       {
-        if (Contains(outer[f], outline))
+        if (Contains(outer[f].polygon, outline))
         {
           holes[f].push_back(outline);
           break;
@@ -330,14 +349,19 @@ public:
     {
       for (std::size_t h = 0; h < holes[f].size(); ++h)
       {
-        JoinHole(holes[f], h, outer[f]);
+        JoinHole(holes[f], h, outer[f].polygon);
       }
     }
+    outer.erase(std::remove_if(outer.begin(), outer.end(),
+                  [](const Face& face) { return face.name.compare(0, Hole.size(), Hole) == 0; }),
+      outer.end());
     std::sort(outer.begin(), outer.end(), isLarger); // without holes
     return outer;
   }
 
 private:
+  inline static const std::string Hole = "hole"; ///< How names of curves around holes begin.
+
   using Key = std::pair<double, double>;
   static Key KeyOf(const Point& place) { return { place.x(), place.y() }; }
 
@@ -449,34 +473,40 @@ private:
   }
 
   const std::vector<Line>& Lines;
+  const ClosedCurves Closed;
   std::map<Key, std::vector<int>> Leaving; ///< Directions of lines by where they start, by angle.
 };
 }
 
-bool TraceRegions(double tolerance, double turn, Drawing& drawing)
+bool TraceRegions(double tolerance, double turn, ClosedCurves closedCurves, Drawing& drawing)
 {
   const LineNetwork network(
     drawing, tolerance > 0.0 ? tolerance : DefaultJoinTolerance(drawing.pieces), turn);
-  FaceTracer tracer(network.Lines);
+  FaceTracer tracer(network.Lines, closedCurves);
   if (tracer.HasOpenEnds())
   {
     return false;
   }
-  const std::vector<Loop> faces = tracer.Trace();
+  const std::vector<Face> faces = tracer.Trace();
   if (faces.size() < 2)
   {
     return false;
   }
+  const bool areNamed = closedCurves == ClosedCurves::Regions &&
+    std::any_of(faces.begin(), faces.end(),
+      [&faces](const Face& face) { return face.name != faces.front().name; });
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    const std::string material = "region" + std::to_string(f + 1);
-    for (const std::array<int, 3>& triangle : TriangulatePolygon(faces[f]))
+    const Loop& polygon = faces[f].polygon;
+    const bool isNamed = areNamed && !faces[f].name.empty();
+    const std::string material = isNamed ? faces[f].name : "region" + std::to_string(f + 1);
+    for (const std::array<int, 3>& triangle : TriangulatePolygon(polygon))
     {
       DrawingFace face;
       face.material = material;
       for (const int corner : triangle)
       {
-        face.points.push_back(faces[f][static_cast<std::size_t>(corner)]);
+        face.points.push_back(polygon[static_cast<std::size_t>(corner)]);
       }
       drawing.faces.push_back(std::move(face));
     }

@@ -281,7 +281,7 @@ private:
     if (!this->Page.empty() && this->Result.pieces.size() > 4)
     {
       this->Result.warnings.push_back("The edges of the page, " + this->Page +
-        ", are the outer boundary, and shapes in it are holes; remove it if it is a background.");
+        ", are the outer boundary; remove it if it is a background.");
     }
     if (this->Closed > 0)
     {

@@ -435,7 +435,7 @@ std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCur
   Layerer layerer(layered, curves, quads.size, takesFewRows);
   layerer.Plan();
   layerer.Divide();
-  FindPairs(layered.mesh);
+  FindPairs(curves, layered.mesh);
   MatchPairs(curves, layered.mesh);
   // Where bands cross, points depend slightly on which is divided first.
   MakeSymmetricAndPeriodic(layered.mesh, curves, domain, quads.smoothing);

@@ -6,6 +6,8 @@
 #include "Error.h"
 #include "Index.h"
 #include "MakePlanarDomain.h"
+#include "Segment.h"
+#include "SegmentSearch.h"
 #include "UnionFind.h"
 
 #include <algorithm>
@@ -39,7 +41,9 @@ public:
     : Cells(cells)
   {
     this->Set.materials = cells.names;
+    this->RequireNames();
     this->CollectSides();
+    this->RequireSharedPoints();
     this->NumberRegions();
     this->FindNodes();
     this->FollowInterfaces();
@@ -51,6 +55,61 @@ public:
 
 private:
   const Point& At(int point) const { return this->Cells.points[Index(point)]; }
+
+  /// Throws Error if the material of a cell has no name.
+  void RequireNames() const
+  {
+    for (std::size_t cell = 0; cell < this->Cells.cells.size(); ++cell)
+    {
+      if (this->Cells.names[Index(this->Cells.materials[cell])].empty())
+      {
+        throw Error("The cell at " + Describe(this->At(this->Cells.cells[cell][0])) +
+          " has a material with an empty name; give each cell the name of its material.");
+      }
+    }
+  }
+
+  /// Throws Error if cells touch without having the same points there.
+  void RequireSharedPoints() const
+  {
+    constexpr double Touching = 1e-6; // relative to the extent, as points that are in a plane
+    std::vector<SegmentSearch::Segment> open;
+    std::vector<const CellSide*> sides;
+    Point lower = this->Cells.points.front();
+    Point upper = lower;
+    for (const CellSide& side : this->Sides)
+    {
+      if (side.twin < 0)
+      {
+        open.push_back({ this->At(side.from), this->At(side.to) });
+        sides.push_back(&side);
+        lower = lower.cwiseMin(this->At(side.from));
+        upper = upper.cwiseMax(this->At(side.from));
+      }
+    }
+    if (open.empty())
+    {
+      return;
+    }
+    const SegmentSearch search(open);
+    const double reach = Touching * (upper - lower).norm();
+    for (const CellSide* const side : sides)
+    {
+      const Point& place = this->At(side->from);
+      search.ForNear(place, reach,
+        [&](std::size_t other)
+        {
+          const CellSide& near = *sides[other];
+          if (near.from != side->from && near.to != side->from &&
+            OffsetFromSegment(place, open[other][0], open[other][1]).norm() <= reach)
+          {
+            throw Error("The point at " + Describe(place) +
+              " is on the edge of another cell, but is none of its points; give cells that touch the same "
+              "points on the line between them.");
+          }
+        });
+    }
+  }
 
   void CollectSides()
   {

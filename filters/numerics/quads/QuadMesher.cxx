@@ -238,7 +238,7 @@ private:
     }
     mesh.periodic = this->Pairs;
     const std::vector<QuadPoint> before = mesh.points;
-    FindPairs(mesh);
+    FindPairs(this->Curves, mesh);
     MatchPairs(this->Curves, mesh);
     // A singularity on one of the sides fixes a node of the other one, beside which others may be
     // in the wrong order.
@@ -293,12 +293,10 @@ private:
   /// reflections, and none.
   std::vector<std::vector<Isometry>> SymmetriesToTry() const
   {
-    if (this->HasInterfaces)
-    {
-      return { {} }; // nodes on both sides of an interface have the same place
-    }
-    std::vector<std::vector<Isometry>> lists = { FindSymmetries(this->Domain).Elements() };
-    if (lists[0].size() == 1)
+    std::vector<std::vector<Isometry>> lists = { this->HasInterfaces
+        ? this->Options.symmetries // of both sides of interfaces are none
+        : FindSymmetries(this->Domain).Elements() };
+    if (lists[0].size() <= 1)
     {
       return lists;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoundarySides.h"
+#include "BoundarySymmetry.h"
 #include "QuadResult.h"
 #include "QuadSizes.h"
 #include "SidePrescription.h"
@@ -28,6 +29,9 @@ struct QuadOptions
   /// Arcs of the T-mesh that get no edges, unless no counts permit that: those without edges in
   /// counts of the same arcs for other sizes.
   std::vector<std::size_t> arcsWithoutEdges;
+  /// With interfaces, the symmetries of what all regions cover, the identity first; otherwise those of the domain
+  /// are used.
+  std::vector<Isometry> symmetries;
   bool hold = false;  ///< Keeps inner singularities at their positions in smoothing.
   bool smooth = true; ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.

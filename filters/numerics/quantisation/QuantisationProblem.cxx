@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace crossfield
@@ -112,48 +113,66 @@ void BalanceTargets(const TMesh& mesh, QuantisationProblem& problem)
 {
   constexpr int MostSweeps = 1000; // enough for strips through dozens of patches
   constexpr double Balanced = 1e-3;
-  const auto sumOver = [](const std::vector<int>& side, const std::vector<double>& values)
+  using Arcs = std::vector<std::size_t>;
+  std::vector<std::array<Arcs, 2>> pairs; // of equal counts
+  for (const TPatch& patch : mesh.patches)
   {
-    double sum = 0.0;
-    for (const int half : side)
+    for (const std::size_t first : { std::size_t(0), std::size_t(1) })
     {
-      sum += values[Index(half / 2)];
+      pairs.emplace_back();
+      for (const std::size_t end : { std::size_t(0), std::size_t(1) })
+      {
+        for (const int half : patch.sides[first + 2 * end])
+        {
+          pairs.back()[end].push_back(Index(half / 2));
+        }
+      }
     }
-    return sum;
+  }
+  const std::size_t ofPatches = pairs.size();
+  for (const CountSum& sum : problem.sums)
+  {
+    if (sum.minimum == 0 && sum.maximum == 0)
+    {
+      pairs.emplace_back();
+      for (const auto& [arc, factor] : sum.terms)
+      {
+        pairs.back()[factor > 0 ? 0 : 1].push_back(Index(arc));
+      }
+    }
+  }
+  const auto sumOver = [](const Arcs& arcs, const std::vector<double>& values)
+  {
+    return std::accumulate(arcs.begin(), arcs.end(), 0.0,
+      [&values](double sum, std::size_t arc) { return sum + values[arc]; });
   };
   double largest = 2.0 * Balanced;
   for (int sweep = 0; sweep < MostSweeps && largest > Balanced; ++sweep)
   {
     largest = 0.0;
-    for (std::size_t i = 0; i < mesh.patches.size(); ++i)
+    for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-      const std::size_t p = sweep % 2 == 0 ? i : mesh.patches.size() - 1 - i;
-      for (const std::size_t first : { std::size_t(0), std::size_t(1) })
+      const std::array<Arcs, 2>& sides = pairs[sweep % 2 == 0 ? i
+          : i < ofPatches                                     ? (ofPatches - 2 - i / 2 * 2) + i % 2
+                                                              : i];
+      const std::array<double, 2> sums = { sumOver(sides[0], problem.target),
+        sumOver(sides[1], problem.target) };
+      if (!(sums[0] > 0.0 && sums[1] > 0.0))
       {
-        const std::array<const std::vector<int>*, 2> sides = { &mesh.patches[p].sides[first],
-          &mesh.patches[p].sides[first + 2] };
-        std::array<double, 2> sums{};
-        std::array<double, 2> weights{};
-        for (std::size_t side = 0; side < 2; ++side)
+        continue;
+      }
+      const std::array<double, 2> weights = { sumOver(sides[0], problem.weight),
+        sumOver(sides[1], problem.weight) };
+      const double ratio = std::log(sums[1] / sums[0]);
+      largest = std::max(largest, std::abs(ratio));
+      const std::array<double, 2> changes = { std::exp(
+                                                ratio * weights[1] / (weights[0] + weights[1])),
+        std::exp(-ratio * weights[0] / (weights[0] + weights[1])) };
+      for (std::size_t side = 0; side < 2; ++side)
+      {
+        for (const std::size_t arc : sides[side])
         {
-          sums[side] = sumOver(*sides[side], problem.target);
-          weights[side] = sumOver(*sides[side], problem.weight);
-        }
-        if (!(sums[0] > 0.0 && sums[1] > 0.0))
-        {
-          continue;
-        }
-        const double ratio = std::log(sums[1] / sums[0]);
-        largest = std::max(largest, std::abs(ratio));
-        const std::array<double, 2> changes = { std::exp(
-                                                  ratio * weights[1] / (weights[0] + weights[1])),
-          std::exp(-ratio * weights[0] / (weights[0] + weights[1])) };
-        for (std::size_t side = 0; side < 2; ++side)
-        {
-          for (const int half : *sides[side])
-          {
-            problem.target[Index(half / 2)] *= changes[side];
-          }
+          problem.target[arc] *= changes[side];
         }
       }
     }

@@ -55,8 +55,8 @@ struct QuantisationProblem
 /// beside the arc, measured in target counts as well, so that the objective is a number of quads.
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<double> target);
 
-/// Replaces target counts by ones that fulfil the equations of the patches, by iterative proportional
-/// fitting: the sums of opposite sides become their geometric mean, with the weights of their arcs.
+/// Replaces target counts by ones that fulfil the equations of the patches and those sums that equate counts, by
+/// iterative proportional fitting: equal sums become their geometric mean, with the weights of their arcs.
 /// Without it, any count between the targets at both ends of a strip costs the same.
 void BalanceTargets(const TMesh& mesh, QuantisationProblem& problem);
 

@@ -25,18 +25,27 @@ void MoveHalfway(const BoundaryCurves& curves, const Point& place, QuadPoint& po
 }
 
 /// Pairs the points of two loops, of which each has its first point at the end again: those with the
-/// smallest sum of squared distances between points and the images of their partners, of which none or
-/// both are fixed. Throws Error if there are none.
-void PairAround(const QuadMesh& mesh, const std::vector<int>& first, const std::vector<int>& second,
-  PairedSides& pair)
+/// smallest sum of squared distances between points and the images of their partners. Points that are fixed at
+/// the same place on both sides are partners. Throws Error if there are none.
+void PairAround(const BoundaryCurves& curves, const QuadMesh& mesh, const std::vector<int>& first,
+  const std::vector<int>& second, PairedSides& pair)
 {
   const std::size_t count = first.size() - 1;
+  const double reach = SamePlace * curves.Length(mesh.points[first[0]].curve.loop);
   const auto imageOf = [&](std::size_t i, std::size_t turn)
   { return second[(turn + count - i) % count]; };
   std::vector<Point> images;
+  std::vector<int> partner(count, -1); // fixed at the same place
   for (std::size_t i = 0; i < count; ++i)
   {
-    images.push_back(pair.motion(mesh.points[first[i]].InPlane()));
+    const QuadPoint& point = mesh.points[first[i]];
+    images.push_back(pair.motion(point.InPlane()));
+    for (std::size_t j = 0; j < count && point.fixed; ++j)
+    {
+      const QuadPoint& other = mesh.points[second[j]];
+      const bool isThere = other.fixed && (other.InPlane() - images[i]).norm() <= reach;
+      partner[i] = isThere ? second[j] : partner[i];
+    }
   }
   std::size_t best = 0;
   double smallest = std::numeric_limits<double>::infinity();
@@ -45,10 +54,11 @@ void PairAround(const QuadMesh& mesh, const std::vector<int>& first, const std::
     double sum = 0.0;
     for (std::size_t i = 0; i < count && sum < smallest; ++i)
     {
-      const QuadPoint& image = mesh.points[imageOf(i, turn)];
-      sum += image.fixed == mesh.points[first[i]].fixed
-        ? (image.InPlane() - images[i]).squaredNorm()
-        : std::numeric_limits<double>::infinity();
+      const int image = imageOf(i, turn);
+      const bool areFixed = mesh.points[first[i]].fixed && mesh.points[image].fixed;
+      const bool isAllowed = partner[i] < 0 ? !areFixed : image == partner[i];
+      sum += isAllowed ? (mesh.points[image].InPlane() - images[i]).squaredNorm()
+                       : std::numeric_limits<double>::infinity();
     }
     if (sum < smallest)
     {
@@ -88,7 +98,7 @@ void MatchPair(
 }
 }
 
-void FindPairs(QuadMesh& mesh)
+void FindPairs(const BoundaryCurves& curves, QuadMesh& mesh)
 {
   for (PairedSides& pair : mesh.periodic)
   {
@@ -104,7 +114,7 @@ void FindPairs(QuadMesh& mesh)
     pair.nodes.clear();
     if (pair.isClosed)
     {
-      PairAround(mesh, first, second, pair);
+      PairAround(curves, mesh, first, second, pair);
       continue;
     }
     for (std::size_t i = 0; i < first.size(); ++i)

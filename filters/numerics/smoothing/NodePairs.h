@@ -5,8 +5,8 @@
 namespace crossfield
 {
 /// Finds the pairs of points of periodic sides, in order from their ends. Throws Error if two sides have
-/// different numbers of points.
-void FindPairs(QuadMesh& mesh);
+/// different numbers of points, or closed ones fixed points that do not match.
+void FindPairs(const BoundaryCurves& curves, QuadMesh& mesh);
 
 /// Moves the points of pairs to positions that match: the image of a fixed point, or of the mean of both
 /// along the first side. If one point of a pair is fixed, both are afterwards.

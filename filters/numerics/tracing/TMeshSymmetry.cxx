@@ -10,7 +10,8 @@ namespace
 {
 constexpr int None = -1;
 
-/// Finds the half-edges that those of a T-mesh are mapped to. One image determines all others.
+/// Finds the half-edges that those of a T-mesh are mapped to. One image determines all others of its connected
+/// part.
 class ImageSearch
 {
 public:
@@ -20,6 +21,8 @@ public:
     , Reach(reach)
     , Previous(mesh.halfEdges.size(), None)
     , Sides(mesh.halfEdges.size(), None)
+    , Images(mesh.halfEdges.size(), None)
+    , IsTaken(mesh.halfEdges.size(), false)
   {
     for (int h = 0; h < static_cast<int>(mesh.halfEdges.size()); ++h)
     {
@@ -41,20 +44,22 @@ public:
   }
 
   /// Returns the images of all half-edges; none if there are none.
-  std::vector<int> Find() const
+  std::vector<int> Find()
   {
-    for (int h = 0; h < static_cast<int>(this->Mesh.halfEdges.size()); ++h)
+    const auto count = static_cast<int>(this->Mesh.halfEdges.size());
+    for (int first = 0; first < count; ++first)
     {
-      if (this->NodesFit(0, h))
+      int image = 0;
+      while (this->Images[first] == None && image < count)
       {
-        std::vector<int> images = this->Spread(h);
-        if (!images.empty())
-        {
-          return images;
-        }
+        this->Spread(first, image++);
+      }
+      if (this->Images[first] == None)
+      {
+        return {};
       }
     }
-    return {};
+    return this->Images;
   }
 
 private:
@@ -87,33 +92,31 @@ private:
     return previous < 0 ? None : TMesh::Twin(previous);
   }
 
-  /// Returns the images of all half-edges if the first one is mapped to a given one; none if that
-  /// is impossible.
-  std::vector<int> Spread(int image) const
+  /// Sets the images of a connected part if one of its half-edges is mapped to a given one; changes nothing
+  /// if that is impossible.
+  void Spread(int first, int image)
   {
-    std::vector<int> images(this->Mesh.halfEdges.size(), None);
-    std::vector<bool> taken(images.size(), false);
     std::vector<int> reached;
     const auto set = [&](int half, int to)
     {
-      if (images[half] != None)
+      if (this->Images[half] != None)
       {
-        return images[half] == to;
+        return this->Images[half] == to;
       }
-      if (taken[to] || !this->NodesFit(half, to))
+      if (this->IsTaken[to] || !this->NodesFit(half, to))
       {
         return false;
       }
-      images[half] = to;
-      taken[to] = true;
+      this->Images[half] = to;
+      this->IsTaken[to] = true;
       reached.push_back(half);
       return true;
     };
-    bool fits = set(0, image);
+    bool fits = set(first, image);
     for (std::size_t i = 0; i < reached.size() && fits; ++i)
     {
       const int half = reached[i];
-      const int to = images[half];
+      const int to = this->Images[half];
       fits = set(TMesh::Twin(half), TMesh::Twin(to));
       const int next = this->Mesh.halfEdges[half].next;
       const int following = this->Following(to);
@@ -125,7 +128,11 @@ private:
           turns == (this->Sides[this->Beside(to)] != this->Sides[this->Beside(following)]);
       }
     }
-    return fits && reached.size() == images.size() ? images : std::vector<int>();
+    for (std::size_t i = 0; i < reached.size() && !fits; ++i)
+    {
+      this->IsTaken[this->Images[reached[i]]] = false;
+      this->Images[reached[i]] = None;
+    }
   }
 
   const TMesh& Mesh;
@@ -133,6 +140,8 @@ private:
   const double Reach;
   std::vector<int> Previous; ///< Per half-edge, the one before it around its patch.
   std::vector<int> Sides;    ///< Per half-edge, the side of its patch.
+  std::vector<int> Images;   ///< Per half-edge.
+  std::vector<bool> IsTaken; ///< Per half-edge, whether it is an image.
 };
 }
 

@@ -34,7 +34,9 @@ void RequireSides(const std::vector<DomainPart>& parts, const QuadRequest& reque
   std::vector<std::string> names;
   for (const DomainPart& part : parts)
   {
-    names.insert(names.end(), part.sides.names.begin(), part.sides.names.end());
+    std::copy_if(part.sides.names.begin(), part.sides.names.end(), std::back_inserter(names),
+      [&names](const std::string& name)
+      { return std::find(names.begin(), names.end(), name) == names.end(); });
   }
   for (const SideRequest& one : request.sideRequests)
   {

@@ -285,6 +285,37 @@ std::string DescribeArea(const QuadResult& quads)
   return text.str();
 }
 
+std::string DescribeRegionAreas(const QuadMesh& mesh, const std::vector<int>& region,
+  const std::vector<double>& areas, const std::vector<std::string>& names)
+{
+  constexpr double Octagon = 0.1; // 1 − 2√2/π
+  std::vector<double> covered(areas.size(), 0.0);
+  std::vector<std::size_t> quads(areas.size(), 0);
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  {
+    covered[static_cast<std::size_t>(region[q])] += AreaOf(mesh, mesh.quads[q]);
+    quads[static_cast<std::size_t>(region[q])] = q;
+  }
+  std::size_t worst = 0;
+  const auto error = [&](std::size_t r) { return std::abs(covered[r] / areas[r] - 1.0); };
+  for (std::size_t r = 1; r < areas.size(); ++r)
+  {
+    worst = error(r) > error(worst) ? r : worst;
+  }
+  if (error(worst) <= Octagon)
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << "The quads of material '" << names[worst] << "' near "
+       << Describe(mesh.points[mesh.quads[quads[worst]][0]].InPlane()) << " have "
+       << 100.0 * covered[worst] / areas[worst]
+       << " % of the area there, because their edges cut off curves; use smaller quads "
+          "(QuadSize, --size), or smaller ones in this material (--size-in).";
+  return text.str();
+}
+
 std::string RepairAdvice(const HolonomyRepair& repair)
 {
   std::ostringstream text;

@@ -79,6 +79,11 @@ std::string DescribeSizes(const ResolvedRequest& request, const QuadResult& quad
 /// off curves; an empty text if this is less than AcceptableAreaError.
 std::string DescribeArea(const QuadResult& quads);
 
+/// Returns a sentence about the region whose area its quads miss most, by their regions and the areas and names
+/// of regions; an empty text if this is less than an octagon misses of a circle.
+std::string DescribeRegionAreas(const QuadMesh& mesh, const std::vector<int>& region,
+  const std::vector<double>& areas, const std::vector<std::string>& names);
+
 /// Returns the clause that offers a repair of the holonomy that was found to work.
 std::string RepairAdvice(const HolonomyRepair& repair);
 

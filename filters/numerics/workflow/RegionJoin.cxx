@@ -15,9 +15,11 @@ namespace
 class RegionJoiner
 {
 public:
-  RegionJoiner(const RegionSet& set, LaidOutRegions& regions)
+  RegionJoiner(
+    const RegionSet& set, LaidOutRegions& regions, const std::vector<std::string>& targets)
     : Set(set)
     , Regions(regions)
+    , Targets(targets)
   {
   }
 
@@ -40,6 +42,12 @@ public:
       this->AddCurves(own.curves, arcs, joined.loops[r]);
       for (SidePrescription prescribed : own.prescribed)
       {
+        const std::string& name = own.sides.names[Index(prescribed.side)];
+        if (prescribed.count == 0 && !prescribed.isGraded &&
+          std::find(this->Targets.begin(), this->Targets.end(), name) != this->Targets.end())
+        {
+          continue;
+        }
         prescribed.side = sides[r][Index(prescribed.side)];
         const bool isNew =
           std::none_of(this->Result.prescribed.begin(), this->Result.prescribed.end(),
@@ -137,12 +145,14 @@ private:
 
   const RegionSet& Set;
   LaidOutRegions& Regions;
+  const std::vector<std::string>& Targets;
   JoinedRegions Result;
 };
 }
 
-JoinedRegions JoinRegions(const RegionSet& set, LaidOutRegions& regions)
+JoinedRegions JoinRegions(
+  const RegionSet& set, LaidOutRegions& regions, const std::vector<std::string>& targets)
 {
-  return RegionJoiner(set, regions).Run();
+  return RegionJoiner(set, regions, targets).Run();
 }
 }

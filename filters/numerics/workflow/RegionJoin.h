@@ -15,6 +15,7 @@ struct JoinedRegions
   std::vector<std::size_t> patches; ///< First patch of each region, and their number.
 };
 
-/// Joins the layouts of regions, which are moved out of them.
-JoinedRegions JoinRegions(const RegionSet& set, LaidOutRegions& regions);
+/// Joins the layouts of regions, which are moved out of them. The sizes of the sides `targets` are not prescribed.
+JoinedRegions JoinRegions(
+  const RegionSet& set, LaidOutRegions& regions, const std::vector<std::string>& targets);
 }

@@ -1,5 +1,6 @@
 #include "RegionQuads.h"
 
+#include "BoundarySingularities.h"
 #include "BoundarySymmetry.h"
 #include "Index.h"
 #include "NodePositions.h"
@@ -57,12 +58,13 @@ public:
     RegionRequests requests = SplitForRegions(set, parts, request);
     this->Requests = std::move(requests.ofRegions);
     this->NodeCorners = std::move(requests.nodeCorners);
+    this->Targets = std::move(requests.targets);
   }
 
   QuadWorkflowResult Run(const Progress& progress)
   {
     this->LayOutRegions(progress.Part(0.0, 0.6));
-    this->Joined = JoinRegions(this->Set, this->Regions);
+    this->Joined = JoinRegions(this->Set, this->Regions, this->Targets);
     const QuadOptions options = this->MakeOptions();
     QuadResult quads = MakeQuads(this->Joined.layouts, options, progress.Part(0.6, 1.0));
     this->DescribeResult(quads);
@@ -170,7 +172,7 @@ private:
     }
   }
 
-  QuadOptions MakeOptions() const
+  QuadOptions MakeOptions()
   {
     QuadOptions options;
     options.quadSize = this->Request.quadSize;
@@ -179,11 +181,16 @@ private:
     options.curves = this->Joined.curves;
     options.prescribed = this->Joined.prescribed;
     options.hold = this->Request.hold;
+    if (this->Set.outlines.size() == 1)
+    {
+      options.symmetries = FindSymmetries(this->Set.outlines[0]).Elements();
+    }
     const bool hasSizes = std::any_of(this->Regions.begin(), this->Regions.end(),
       [](const LaidOutRegion& region) { return region.request.targets.has_value(); });
     if (hasSizes)
     {
-      const RelativeSizes sizes = RelativeTo(JoinTargets(this->Regions));
+      this->Sizes = JoinTargets(this->Regions);
+      const RelativeSizes sizes = RelativeTo(*this->Sizes);
       options.sizes = { Sizing::Field, sizes.field };
       const bool isFixed = this->Request.quadSize > 0.0 || this->Request.quadCount == 0;
       options.quadSize = isFixed ? sizes.mean : 0.0;
@@ -219,14 +226,15 @@ private:
       {
         result.events.push_back(prefix + event);
       }
+      const PlanarDomain& domain = this->Regions[r].domain;
       RegionReport report;
       report.material = this->Set.regions[r].material;
       report.requiredQuarters =
-        CountQuarters(this->Regions[r].domain.loops, 0, DefaultCornerAngle, own.corners)
-          .requiredInteriorQuarters;
+        CountQuarters(domain.loops, 0, DefaultCornerAngle, own.corners).requiredInteriorQuarters;
+      // Those on the boundary are corners, which reduce what is required.
       for (const Singularity& one : own.singularities)
       {
-        report.givenQuarters += one.quarterIndex;
+        report.givenQuarters += IsOnBoundary(domain, one.position) ? 0 : one.quarterIndex;
       }
       result.regions.push_back(report);
     }
@@ -236,6 +244,14 @@ private:
     if (this->Request.singularities)
     {
       this->AddMoves(chosen);
+    }
+    if (this->Sizes)
+    {
+      if (this->Request.quadSize == 0.0 && this->Request.quadCount > 0)
+      {
+        this->Sizes->Multiply(quads.size / this->Sizes->mean);
+      }
+      result.sizes = MeasureSizes(quads, *this->Sizes);
     }
     result.boundary = this->Joined.curves;
     result.blocks.none = quads.separateBlocks;
@@ -289,12 +305,14 @@ private:
         quads.mesh.sideNames[Index(side)] = this->Set.interfaces[i].side;
       }
     }
+    const double bound = quads.quality.bound; // with the angles of regions at nodes
     WeldRegions(quads.mesh);
     this->Result.interfaces = MeasureInterfaces(quads.mesh);
     quads.blocks = FindBlocks(quads.mesh, region);
     quads.separateBlocks = static_cast<int>(quads.blocks.blocks.size());
     this->Result.blocks.none = quads.separateBlocks;
     quads.quality = MeasureQuads(quads.mesh, quads.size);
+    quads.quality.bound = bound;
     this->Result.part.assign(quads.mesh.quads.size(), 0);
     this->Result.quads = std::move(quads);
   }
@@ -305,11 +323,20 @@ private:
     const bool isPrescribed = !this->Joined.prescribed.empty() || this->Request.minimumSize > 0.0 ||
       this->Request.maximumSize > 0.0;
     const QuadResult& quads = result.quads;
+    std::vector<double> areas;
+    std::vector<std::string> names;
+    for (std::size_t r = 0; r < this->Parts.size(); ++r)
+    {
+      areas.push_back(this->Parts[r].domain.Area());
+      names.push_back(this->NameOf(r));
+    }
     for (const std::string& warning : { quads.quality.inverted > 0
              ? DescribeInverted(quads.quality, {}, this->Request.singularities.has_value())
              : std::string(),
+           result.sizes ? DescribeMissedSizes(*result.sizes) : std::string(),
            DescribeCount(this->Request, isPrescribed, quads), DescribeArea(quads),
-           DescribeWorstQuad(quads.mesh, quads.quality) })
+           DescribeRegionAreas(quads.mesh, result.region, areas, names),
+           DescribeLostSides(quads.mesh), DescribeWorstQuad(quads.mesh, quads.quality) })
     {
       if (!warning.empty())
       {
@@ -323,7 +350,9 @@ private:
   const QuadRequest& Request;
   std::vector<PartRequest> Requests;
   std::vector<std::vector<RegionCorner>> NodeCorners; ///< Per node of the set.
+  std::vector<std::string> Targets;                   ///< RegionRequests::targets.
   LaidOutRegions Regions;
+  std::optional<SizeTargets> Sizes; ///< Of all regions, if sizes are requested.
   JoinedRegions Joined;
   QuadWorkflowResult Result;
 };

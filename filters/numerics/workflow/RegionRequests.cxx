@@ -1,5 +1,6 @@
 #include "RegionRequests.h"
 
+#include "Error.h"
 #include "Index.h"
 #include "PoincareHopf.h"
 
@@ -69,10 +70,32 @@ std::vector<double> TakeSizesInside(const RegionSet& set, QuadRequest& request)
   return sizes;
 }
 
+/// Throws Error if a size is requested inside of what is neither a material nor a loop.
+void RequireMaterials(
+  const RegionSet& set, const std::vector<DomainPart>& parts, const QuadRequest& rest)
+{
+  for (const SideRequest& one : rest.sideRequests)
+  {
+    const bool isSide = std::any_of(parts.begin(), parts.end(),
+      [&one](const DomainPart& part) { return part.sides.Find(one.side) >= 0; });
+    if (one.inside > 0.0 && !isSide)
+    {
+      std::string names;
+      for (const std::string& name : set.materials)
+      {
+        names += (names.empty() ? "'" : ", '") + name + "'";
+      }
+      throw Error("There is no material or side '" + one.side +
+        "' for a size inside of it; the materials are " + names + ".");
+    }
+  }
+}
+
 /// Requests the sizes inside of materials in their regions, and at the interfaces of others with them.
 void AddSizesInside(
-  const RegionSet& set, const std::vector<double>& sizes, std::vector<PartRequest>& requests)
+  const RegionSet& set, const std::vector<double>& sizes, RegionRequests& regionRequests)
 {
+  std::vector<PartRequest>& requests = regionRequests.ofRegions;
   const auto sizeOf = [&](int region) { return sizes[Index(set.regions[Index(region)].material)]; };
   for (std::size_t r = 0; r < requests.size(); ++r)
   {
@@ -103,6 +126,7 @@ void AddSizesInside(
         all.emplace_back();
         all.back().side = piece.name;
         all.back().size = size;
+        regionRequests.targets.push_back(piece.name);
       }
     }
   }
@@ -138,8 +162,9 @@ RegionRequests SplitForRegions(
 {
   QuadRequest rest = request;
   const std::vector<double> sizes = TakeSizesInside(set, rest);
-  RegionRequests requests{ SplitRequest(parts, ForPieces(set, std::move(rest))), {} };
-  AddSizesInside(set, sizes, requests.ofRegions);
+  RequireMaterials(set, parts, rest);
+  RegionRequests requests{ SplitRequest(parts, ForPieces(set, std::move(rest))), {}, {} };
+  AddSizesInside(set, sizes, requests);
   CompleteNodeCorners(set, requests);
   return requests;
 }

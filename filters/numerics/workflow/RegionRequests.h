@@ -11,6 +11,8 @@ struct RegionRequests
 {
   std::vector<PartRequest> ofRegions;
   std::vector<std::vector<RegionCorner>> nodeCorners; ///< Per node of the set.
+  /// Names of the pieces of interfaces whose size is that inside of a material: a target, but no number of edges.
+  std::vector<std::string> targets;
 };
 
 /// Divides a request for regions as SplitRequest does. The indices of corners at nodes are chosen for all

@@ -136,10 +136,18 @@ SizeFunction CommonSizes(const RegionSet& set,
       }
       for (const CornerChoice& choice : region.result.corners)
       {
-        if (!IsNode(set, choice.position))
+        if (IsNode(set, choice.position))
+        {
+          continue;
+        }
+        if (boundary.SignedDistance(choice.position) <= reach)
         {
           addCorner(choice);
           kept.push_back(choice.position);
+        }
+        else if (choice.quarterIndex != 0) // on an interface, which is smooth on its other side
+        {
+          singularities.push_back({ choice.position, choice.quarterIndex });
         }
       }
     }

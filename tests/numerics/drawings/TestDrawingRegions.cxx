@@ -53,7 +53,7 @@ TEST(DrawingRegions, AreThreeGrains)
     drawing.pieces.push_back(LinePiece({ 0, 0 }, { std::cos(angle), std::sin(angle) }));
     drawing.pieces.back().name = "boundary";
   }
-  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
   const std::map<std::string, double> areas = AreasOfMaterials(drawing);
   ASSERT_EQ(areas.size(), 3U);
   for (const auto& [name, area] : areas)
@@ -75,7 +75,7 @@ TEST(DrawingRegions, AreDividedWhereLinesEndOnOthersOrCross)
   {
     drawing.pieces.push_back(piece);
   }
-  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
   const std::map<std::string, double> areas = AreasOfMaterials(drawing);
   ASSERT_EQ(areas.size(), 5U);
   EXPECT_NEAR(areas.at("region1"), 1.3 * 0.8, 1e-8);
@@ -93,7 +93,7 @@ TEST(DrawingRegions, HaveHolesWhereClosedCurvesMeetNoOther)
   Drawing drawing = SquareDrawing();
   drawing.pieces.push_back(LinePiece({ -1.0, 0.6 }, { 1.0, 0.6 }));
   drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.3, 0.0, 360.0, ""));
-  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
   const std::map<std::string, double> areas = AreasOfMaterials(drawing);
   ASSERT_EQ(areas.size(), 2U);
   EXPECT_NEAR(areas.at("region1"), 3.2 - Pi * 0.09, 0.002);
@@ -101,7 +101,7 @@ TEST(DrawingRegions, HaveHolesWhereClosedCurvesMeetNoOther)
   drawing = SquareDrawing(0.5);
   drawing.pieces.push_back(LinePiece({ -0.5, 0.1 }, { 0.5, 0.1 }));
   drawing.pieces.push_back(ArcPiece({ 0, 0 }, 1.0, 0.0, 360.0, ""));
-  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
   const std::map<std::string, double> around = AreasOfMaterials(drawing);
   ASSERT_EQ(around.size(), 3U);
   EXPECT_NEAR(around.at("region1"), Pi - 1.0, 0.01);
@@ -117,11 +117,61 @@ TEST(DrawingRegions, HaveSeveralHoles)
     drawing.pieces.push_back(ArcPiece({ -0.6 + 0.3 * i, 0.0 }, 0.14, 0.0, 360.0, ""));
     drawing.pieces.push_back(ArcPiece({ -0.6 + 0.3 * i, 0.35 }, 0.14, 0.0, 360.0, ""));
   }
-  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
   const std::map<std::string, double> areas = AreasOfMaterials(drawing);
   ASSERT_EQ(areas.size(), 2U);
   EXPECT_NEAR(areas.at("region1"), 3.8 - 10.0 * Pi * 0.14 * 0.14, 0.002);
   EXPECT_NEAR(areas.at("region2"), 0.2, 1e-9);
+}
+
+TEST(DrawingRegions, HaveIslandsInHoles)
+{
+  Drawing drawing = SquareDrawing();
+  drawing.pieces.push_back(LinePiece({ -1.0, 0.9 }, { 1.0, 0.9 }));
+  drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.3, 0.0, 360.0, ""));
+  for (const DrawingPiece& piece : SquareDrawing(0.6).pieces) // a hole of several curves
+  {
+    drawing.pieces.push_back(piece);
+  }
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
+  const std::map<std::string, double> areas = AreasOfMaterials(drawing);
+  ASSERT_EQ(areas.size(), 3U);
+  EXPECT_NEAR(areas.at("region1"), 3.8 - 1.44, 1e-9);
+  EXPECT_NEAR(areas.at("region2"), Pi * 0.09, 0.002);
+}
+
+TEST(DrawingRegions, AreWithinClosedCurvesOnRequest)
+{
+  const auto pipe = [](const std::string& inside)
+  {
+    Drawing drawing = SquareDrawing();
+    for (DrawingPiece& piece : drawing.pieces)
+    {
+      piece.name = "soil";
+    }
+    drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.5, 0.0, 360.0, "wool"));
+    drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.3, 0.0, 360.0, inside));
+    return drawing;
+  };
+  Drawing hollow = pipe("hole");
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Regions, hollow));
+  std::map<std::string, double> areas = AreasOfMaterials(hollow);
+  ASSERT_EQ(areas.size(), 2U);
+  EXPECT_NEAR(areas.at("soil"), 4.0 - Pi * 0.25, 0.01);
+  EXPECT_NEAR(areas.at("wool"), Pi * 0.16, 0.01);
+  Drawing full = pipe("steel");
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Regions, full));
+  areas = AreasOfMaterials(full);
+  ASSERT_EQ(areas.size(), 3U);
+  EXPECT_NEAR(areas.at("steel"), Pi * 0.09, 0.01);
+  // Names that do not distinguish regions are none.
+  Drawing unnamed = pipe("");
+  for (DrawingPiece& piece : unnamed.pieces)
+  {
+    piece.name = "lines";
+  }
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Regions, unnamed));
+  EXPECT_EQ(AreasOfMaterials(unnamed).count("region3"), 1U);
 }
 
 TEST(DrawingRegions, DoNotCountLinesTwice)
@@ -129,7 +179,7 @@ TEST(DrawingRegions, DoNotCountLinesTwice)
   Drawing drawing = SquareDrawing();
   drawing.pieces.push_back(LinePiece({ 0.0, -1.0 }, { 0.0, 1.0 }));
   drawing.pieces.push_back(LinePiece({ 0.0, 1.0 }, { 0.0, -1.0 }));
-  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, drawing));
+  ASSERT_TRUE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
   EXPECT_EQ(AreasOfMaterials(drawing).size(), 2U);
 }
 
@@ -138,11 +188,11 @@ TEST(DrawingRegions, NeedClosedLines)
   Drawing drawing = SquareDrawing();
   drawing.pieces.push_back(LinePiece({ -1.0, 0.0 }, { 0.5, 0.0 }));
   const std::size_t before = drawing.pieces.size();
-  EXPECT_FALSE(TraceRegions(0.0, SamplingTurn, drawing));
+  EXPECT_FALSE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, drawing));
   EXPECT_EQ(drawing.pieces.size(), before);
   EXPECT_TRUE(drawing.faces.empty());
   Drawing square = SquareDrawing();
-  EXPECT_FALSE(TraceRegions(0.0, SamplingTurn, square));
+  EXPECT_FALSE(TraceRegions(0.0, SamplingTurn, ClosedCurves::Holes, square));
 }
 }
 }
