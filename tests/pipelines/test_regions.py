@@ -96,7 +96,9 @@ class Regions(ProgramTest):
         # The lake has one on its shore, which is an irregular node of the whole mesh.
         report = self.quads(REGIONS / "lake_in_coast.vtp", "quads.vtu", "--size", "0.25")
         self.assertEqual(report["irregular"], report["asked"])
-        for region in report["regions"]:
+        # Between two points of the outer boundary.
+        cells = json.loads(self.run_program("quads", REGIONS / "cells.vtu", "-o", "q.vtu", "--quads", "900", "--json", "-").stdout)
+        for region in report["regions"] + cells["regions"]:
             self.assertEqual(region["required_interior_quarters"], region["given_interior_quarters"])
 
     def test_counts_are_symmetric_and_reach_all_sides(self):

@@ -91,6 +91,11 @@ private:
     {
       return;
     }
+    std::map<int, int> before; // the point before each one on the boundary
+    for (const CellSide* const side : sides)
+    {
+      before[side->to] = side->from;
+    }
     const SegmentSearch search(open);
     const double reach = Touching * (upper - lower).norm();
     for (const CellSide* const side : sides)
@@ -100,7 +105,10 @@ private:
         [&](std::size_t other)
         {
           const CellSide& near = *sides[other];
-          if (near.from != side->from && near.to != side->from &&
+          const bool isBesideTinyEdge =
+            (side->to == near.from && (place - open[other][0]).norm() <= reach) ||
+            (before[side->from] == near.to && (place - open[other][1]).norm() <= reach);
+          if (near.from != side->from && near.to != side->from && !isBesideTinyEdge &&
             OffsetFromSegment(place, open[other][0], open[other][1]).norm() <= reach)
           {
             throw Error("The point at " + Describe(place) +

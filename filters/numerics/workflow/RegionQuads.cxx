@@ -93,12 +93,33 @@ private:
       }
       catch (const Error& error)
       {
-        throw Error("Material '" + this->NameOf(r) + "' near " +
-            Describe(this->Parts[r].domain.loops[0][0]) + ": " + error.what(),
-          error.GetKind());
+        throw this->ErrorOf(r, error);
       }
       done = end;
     }
+  }
+
+  /// Returns the error of a region with the name of its material. If a finer mesh does not cure it, the
+  /// sharpest corner is the cause in most cases: tips of regions are not cut off.
+  Error ErrorOf(std::size_t region, const Error& error) const
+  {
+    constexpr double SharpTip = Pi / 4.0; // as in SharpTips.h
+    const PlanarDomain& domain = this->Parts[region].domain;
+    const std::string start =
+      "Material '" + this->NameOf(region) + "' near " + Describe(domain.loops[0][0]) + ": ";
+    const std::vector<Corner> corners = FindCorners(domain.loops);
+    const auto sharpest = std::min_element(corners.begin(), corners.end(),
+      [](const Corner& a, const Corner& b) { return a.angle < b.angle; });
+    if (error.GetKind() != Error::Kind::CoarseMesh || sharpest == corners.end() ||
+      sharpest->angle > SharpTip)
+    {
+      return Error(start + error.what(), error.GetKind());
+    }
+    const std::string& cause = error.GetCause().empty() ? error.what() : error.GetCause();
+    return { start + cause + "; its sharpest corner, at " + Describe(sharpest->position) +
+        ", has " + FormatNumber(sharpest->angle * 180.0 / Pi, 2) + "°",
+      "widen this corner, or mesh all as one material (MaterialArray none, --materials none)",
+      error.GetKind() };
   }
 
   void LayOutRegions(const Progress& progress)
@@ -230,7 +251,9 @@ private:
       RegionReport report;
       report.material = this->Set.regions[r].material;
       report.requiredQuarters =
-        CountQuarters(domain.loops, 0, DefaultCornerAngle, own.corners).requiredInteriorQuarters;
+        CountQuarters(InsertBoundarySingularities(domain, own.singularities).loops, 0,
+          DefaultCornerAngle, own.corners)
+          .requiredInteriorQuarters;
       // Those on the boundary are corners, which reduce what is required.
       for (const Singularity& one : own.singularities)
       {

@@ -1,5 +1,6 @@
 #include "RegionSizes.h"
 
+#include "BoundarySingularities.h"
 #include "HField.h"
 #include "MeshForPoints.h"
 #include "P1Interpolation.h"
@@ -151,8 +152,14 @@ SizeFunction CommonSizes(const RegionSet& set,
         }
       }
     }
-    const SharedPlanarTopology topology =
-      ShareTopology(MeshThroughPoints(outline, singularities, meshSize, {}, 1.0, kept));
+    Configuration
+      onBoundary; // between vertices of the outline, where singularities of regions have been moved
+    for (const CornerChoice& corner : corners)
+    {
+      onBoundary.push_back({ corner.position, corner.quarterIndex });
+    }
+    const SharedPlanarTopology topology = ShareTopology(MeshThroughPoints(
+      InsertBoundarySingularities(outline, onBoundary), singularities, meshSize, {}, 1.0, kept));
     const Eigen::VectorXd sizes =
       SolveHField(topology, singularities, corners).h.array().exp().matrix();
     const double mean = EquivalentSize(topology->mesh, sizes);

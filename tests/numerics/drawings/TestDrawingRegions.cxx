@@ -149,8 +149,10 @@ TEST(DrawingRegions, AreWithinClosedCurvesOnRequest)
     {
       piece.name = "soil";
     }
-    drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.5, 0.0, 360.0, "wool"));
-    drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.3, 0.0, 360.0, inside));
+    drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.5, 0.0, 360.0, ""));
+    drawing.pieces.back().name = "wool";
+    drawing.pieces.push_back(ArcPiece({ 0, 0 }, 0.3, 0.0, 360.0, ""));
+    drawing.pieces.back().name = inside;
     return drawing;
   };
   Drawing hollow = pipe("hole");
