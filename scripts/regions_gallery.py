@@ -234,8 +234,9 @@ CASES = (
     ("composite", composite, "--size 0.06 --size-in resin:0.03",
      "A laminate 0/45/90/90/45/0 with a ripple and a layer of resin in the middle. `--size-in` requests small quads in the resin, and sizes grow "
      "from there. Every layer is one block, so all layers have equal numbers of quads along them."),
-    ("fibre_hexagonal", fibre_hexagonal, "--quads 1200 --curves auto",
-     "A hexagonal cell with a fibre of 62 % of its volume. `--curves auto` places the nodes on the true circle."),
+    ("fibre_hexagonal", fibre_hexagonal, "--quads 1200 --curves auto --periodic outer0:outer3 --periodic outer1:outer4 --periodic outer2:outer5",
+     "A hexagonal cell with a fibre of 62 % of its volume. `--curves auto` places the nodes on the true circle, and "
+     "nodes of opposite sides match."),
     ("fibre_square", fibre_square, "--quads 400 --curves auto --order 2",
      "A square cell with quarter fibres at its corners, as quads with nine nodes whose edges follow the circles."),
     ("pipe", pipe, "--size 0.15 --curves auto --count insulation+steel:40",

@@ -125,6 +125,26 @@ class Regions(ProgramTest):
         self.assertAlmostEqual(jacobian["bound"], 2 / math.sqrt(5), 6)
         self.assertAlmostEqual(jacobian["min"], 2 / math.sqrt(5), 4)
 
+    def test_periodic_cells_of_a_fibre(self):
+        report = self.quads(REGIONS / "fibre_hexagonal.vtp", "cell.inp", "--quads", "600", "--curves", "auto", "--order", "2",
+                            "--periodic", "outer0:outer3", "--periodic", "outer1:outer4", "--periodic", "outer2:outer5")
+        self.assertEqual(len(report["periodic"]), 3)
+        edges = {side["name"]: side["edges"] for side in report["sides"]}
+        for pair in report["periodic"]:
+            self.assertLess(pair["mismatch"], 1e-12)
+            self.assertEqual(edges[pair["first"]], edges[pair["second"]])
+        self.assertIn("*EQUATION", (self.folder / "cell.inp").read_text())
+        self.refuse("quads", REGIONS / "fibre_square.vtp", "-o", "q.vtu", "--periodic", "outer0:outer4",
+                    says=("are not both of this region",))
+
+    def test_blocks_are_merged_in_place(self):
+        lakes = (REGIONS / "lakes.vtp", "quads.vtu", "--quads", "3000")
+        kept = self.quads(*lakes)
+        merged = self.quads(*lakes, "--merge", "coarse")
+        self.assertLess(merged["blocks"], 0.7 * kept["blocks"])
+        self.assertEqual((merged["inverted"], merged["irregular"]), (0, kept["irregular"]))
+        self.assertEqual(merged["blocks_by_merge"], {"coarse": merged["blocks"]})
+
     def test_cells_that_touch_share_points(self):
         nodes = [(0, 0), (1, 0), (1, 1), (0, 1), (2, 0), (2, 0.5), (1, 0.5), (2, 1)]
         (self.folder / "t.msh").write_text(msh(nodes, [(1, (0, 1, 2, 3)), (2, (1, 4, 5, 6)), (3, (6, 5, 7, 2))], [],
@@ -144,7 +164,8 @@ class Regions(ProgramTest):
 
     def test_what_is_not_available_is_refused(self):
         (self.folder / "strip.msh").write_text(strip(4, (1, 1)))
-        for arguments, cause in ((("--merge", "clean"), "Merged blocks are not available for several materials"),
+        for arguments, cause in ((("--merge", "clean"), "Moves of singularities that merge blocks are not available for several materials"),
+                                 (("--periodic", "left:outer0"), "'left'"),
                                  (("--layers", "bottom:0.01"), "Boundary layers are not available for several materials"),
                                  (("--smooth-boundary", "0.1"), "The boundary of a domain of several materials is not simplified"),
                                  (("--materials", "Grain"), "The domain has no cell array 'Grain'")):

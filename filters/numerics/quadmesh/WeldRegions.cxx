@@ -12,7 +12,8 @@ namespace crossfield
 {
 namespace
 {
-void JoinEqualNames(std::vector<std::string>& names, std::vector<QuadBoundaryEdge>& boundary)
+void JoinEqualNames(std::vector<std::string>& names, std::vector<QuadBoundaryEdge>& boundary,
+  std::vector<PairedSides>& pairs)
 {
   std::vector<std::string> different;
   std::vector<int> number;
@@ -28,6 +29,11 @@ void JoinEqualNames(std::vector<std::string>& names, std::vector<QuadBoundaryEdg
   for (QuadBoundaryEdge& edge : boundary)
   {
     edge.side = edge.side < 0 ? -1 : number[Index(edge.side)];
+  }
+  for (PairedSides& pair : pairs)
+  {
+    pair.first = number[Index(pair.first)];
+    pair.second = number[Index(pair.second)];
   }
   names = std::move(different);
 }
@@ -102,8 +108,14 @@ void WeldRegions(QuadMesh& mesh)
   UnionFind sets(count);
   std::set<int> firstSides;
   std::set<int> secondSides;
+  std::vector<PairedSides> periodic;
   for (const PairedSides& pair : mesh.periodic)
   {
+    if (!pair.isInterface)
+    {
+      periodic.push_back(pair);
+      continue;
+    }
     firstSides.insert(pair.first);
     secondSides.insert(pair.second);
     for (const auto& [first, second] : pair.nodes)
@@ -168,7 +180,14 @@ void WeldRegions(QuadMesh& mesh)
       point.curve = isOnBoundary[p] ? point.curve : CurvePlace();
     }
   }
-  JoinEqualNames(mesh.sideNames, boundary);
+  for (PairedSides& pair : periodic)
+  {
+    for (std::array<int, 2>& nodes : pair.nodes)
+    {
+      nodes = { number[Index(nodes[0])], number[Index(nodes[1])] };
+    }
+  }
+  JoinEqualNames(mesh.sideNames, boundary, periodic);
   NumberLoops(points, boundary);
   for (const QuadBoundaryEdge& edge : boundary)
   {
@@ -179,6 +198,6 @@ void WeldRegions(QuadMesh& mesh)
   }
   mesh.points = std::move(points);
   mesh.boundary = std::move(boundary);
-  mesh.periodic.clear();
+  mesh.periodic = std::move(periodic);
 }
 }

@@ -2,8 +2,11 @@
 
 #include "CurveSteps.h"
 #include "Outcome.h"
+#include "PeriodicSteps.h"
 #include "SizeTargets.h"
 
+#include <array>
+#include <string>
 #include <utility>
 
 namespace crossfield
@@ -13,7 +16,16 @@ void PlaceSingularities(const PlanarDomain& polygons, const QuadRequest& request
 {
   CurvedRequest curved = WithCurves(polygons, Resolve(polygons, request));
   region.domain = std::move(curved.domain);
-  region.request = WithSizeTargets(region.domain, curved.request);
+  for (const std::array<std::string, 2>& sides : curved.request.partners)
+  {
+    if (curved.request.sides.Find(sides[1]) < 0)
+    {
+      throw Error("The periodic sides '" + sides[0] + "' and '" + sides[1] +
+        "' are not both of this region; give sides of one region, or mesh all as one material "
+        "(MaterialArray none, --materials none).");
+    }
+  }
+  region.request = WithSizeTargets(region.domain, WithPeriodicSides(region.domain, curved.request));
   region.placed.emplace(region.domain, region.request, seconds);
   region.placed->Place(progress);
 }

@@ -75,6 +75,15 @@ public:
       this->PrescribeForSecond(pair);
       pairs.push_back(std::move(pair));
     }
+    for (std::size_t r = 0; r < this->Regions.size(); ++r)
+    {
+      for (PairedSides pair : this->Regions[r].request.periodic)
+      {
+        pair.first = sides[r][Index(pair.first)];
+        pair.second = sides[r][Index(pair.second)];
+        pairs.push_back(std::move(pair));
+      }
+    }
     this->Result.layouts = LayoutSet(std::move(joined.layout), std::move(pairs));
     return std::move(this->Result);
   }

@@ -8,7 +8,8 @@ namespace crossfield
 /// The layouts of regions as one, with their sides, curves and prescriptions.
 struct JoinedRegions
 {
-  LayoutSet layouts; ///< Whose pairs are the two sides of each interface, in the order of the set.
+  /// Whose pairs are the two sides of each interface, in the order of the set, and then periodic sides.
+  LayoutSet layouts;
   BoundarySides sides; ///< Sides of equal names are one, but for the two sides of an interface.
   CurvedBoundary curves;
   SidePrescriptions prescribed;

@@ -40,9 +40,8 @@ void RequireAvailable(const QuadRequest& request)
   { return std::any_of(request.sideRequests.begin(), request.sideRequests.end(), isWanted); };
   refuse(has([](const SideRequest& one) { return one.layer.has_value(); }), "Boundary layers",
     "Layers, --layers");
-  refuse(has([](const SideRequest& one) { return !one.partner.empty(); }), "Periodic sides",
-    "Periodic, --periodic");
-  refuse(request.merge != BlockMerge::None, "Merged blocks", "Merge, --merge");
+  refuse(request.merge == BlockMerge::Clean, "Moves of singularities that merge blocks",
+    "Merge, --merge clean");
 }
 
 /// Makes the quads of a set.
@@ -202,6 +201,7 @@ private:
     options.curves = this->Joined.curves;
     options.prescribed = this->Joined.prescribed;
     options.hold = this->Request.hold;
+    options.coarse = this->Request.merge == BlockMerge::Coarse;
     if (this->Set.outlines.size() == 1)
     {
       options.symmetries = FindSymmetries(this->Set.outlines[0]).Elements();
@@ -277,7 +277,6 @@ private:
       result.sizes = MeasureSizes(quads, *this->Sizes);
     }
     result.boundary = this->Joined.curves;
-    result.blocks.none = quads.separateBlocks;
     result.seconds.integers += quads.counts.seconds;
     result.seconds.layout += quads.layoutSeconds;
     result.seconds.smooth += quads.smoothSeconds;
@@ -333,7 +332,8 @@ private:
     this->Result.interfaces = MeasureInterfaces(quads.mesh);
     quads.blocks = FindBlocks(quads.mesh, region);
     quads.separateBlocks = static_cast<int>(quads.blocks.blocks.size());
-    this->Result.blocks.none = quads.separateBlocks;
+    (this->Request.merge == BlockMerge::Coarse ? this->Result.blocks.coarse
+                                               : this->Result.blocks.none) = quads.separateBlocks;
     quads.quality = MeasureQuads(quads.mesh, quads.size);
     quads.quality.bound = bound;
     this->Result.part.assign(quads.mesh.quads.size(), 0);
