@@ -109,7 +109,8 @@ def run(program, arguments, threads):
         write_inputs(folder)
         result = subprocess.run(
             [program, *arguments.format(o="out").split()], cwd=folder, capture_output=True, text=True, check=False,
-            env={**os.environ, "OMP_NUM_THREADS": str(threads), "OMP_WAIT_POLICY": "passive"})
+            env={**os.environ, "OMP_NUM_THREADS": str(threads), "OMP_WAIT_POLICY": "passive",
+                 "MALLOC_PERTURB_": str(17 * threads % 255)})  # what fresh memory contains, with glibc
         return result.returncode, result.stderr, digest(folder, "out")
 
 

@@ -47,8 +47,9 @@ std::vector<InterfaceMeasure> MeasureInterfaces(const QuadMesh& mesh)
   for (auto& [side, all] : ratios)
   {
     std::sort(all.begin(), all.end());
+    const double median = 0.5 * (all[(all.size() - 1) / 2] + all[all.size() / 2]);
     measures.push_back({ side < 0 ? std::string() : mesh.sideNames[Index(side)],
-      static_cast<int>(all.size()), all.back(), all[all.size() / 2] });
+      static_cast<int>(all.size()), all.back(), median });
   }
   return measures;
 }

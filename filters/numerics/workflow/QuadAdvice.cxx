@@ -311,7 +311,7 @@ std::string DescribeRegionAreas(const QuadMesh& mesh, const std::vector<int>& re
   text << "The quads of material '" << names[worst] << "' near "
        << Describe(mesh.points[mesh.quads[quads[worst]][0]].InPlane()) << " have "
        << std::lround(100.0 * covered[worst] / areas[worst])
-       << " % of the area there, because their edges cut off curves; use smaller quads "
+       << " % of the area of the region, because edges on curved sides are long; use smaller quads "
           "(QuadSize, --size), or smaller ones in this material (--size-in).";
   return text.str();
 }

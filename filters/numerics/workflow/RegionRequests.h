@@ -16,11 +16,11 @@ struct RegionRequests
 };
 
 /// Divides a request for regions as SplitRequest does. The indices of corners at nodes are chosen for all
-/// regions together (FindNodeCorners), and given to the regions as prescribed ones. What it prescribes for an interface, by the names of
-/// its materials in either order or a given one, is prescribed for each of its pieces in both regions. A
-/// size inside of a material is that of its regions, and of the interfaces of others with them; without
-/// another size or number, the size elsewhere is then that of DefaultQuads quads. Throws Error as
-/// SplitRequest does.
+/// regions together (FindNodeCorners), and given to the regions as prescribed ones. What it prescribes for
+/// an interface, by the names of its materials in either order or a given one, is prescribed for each of
+/// its pieces in both regions. A size inside of a material is that of its regions, and of the interfaces of
+/// others with them; without another size or number, the size elsewhere is then that of DefaultQuads quads.
+/// Throws Error as SplitRequest does.
 RegionRequests SplitForRegions(
   const RegionSet& set, const std::vector<DomainPart>& parts, const QuadRequest& request);
 }

@@ -152,8 +152,8 @@ SizeFunction CommonSizes(const RegionSet& set,
         }
       }
     }
-    Configuration
-      onBoundary; // between vertices of the outline, where singularities of regions have been moved
+    // Singularities of regions may have been moved between two vertices of the outline.
+    Configuration onBoundary;
     for (const CornerChoice& corner : corners)
     {
       onBoundary.push_back({ corner.position, corner.quarterIndex });
