@@ -97,8 +97,11 @@ class Regions(ProgramTest):
         report = self.quads(REGIONS / "lake_in_coast.vtp", "quads.vtu", "--size", "0.25")
         self.assertEqual(report["irregular"], report["asked"])
         # Between two points of the outer boundary.
-        cells = json.loads(self.run_program("quads", REGIONS / "cells.vtu", "-o", "q.vtu", "--quads", "900", "--json", "-").stdout)
-        for region in report["regions"] + cells["regions"]:
+        (self.folder / "strip.msh").write_text(strip(4, (1, 1)))
+        (self.folder / "s.csv").write_text("x,y,quarter_index\n0.9,0,-1\n1.1,0.55,1\n")
+        given = self.quads("strip.msh", "quads.vtu", "--quads", "400", "-s", "s.csv")
+        self.assertEqual(given["irregular"], {"3": 1})
+        for region in report["regions"] + given["regions"]:
             self.assertEqual(region["required_interior_quarters"], region["given_interior_quarters"])
 
     def test_counts_are_symmetric_and_reach_all_sides(self):
