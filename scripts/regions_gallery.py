@@ -348,7 +348,7 @@ def main(program, folder, wanted):
         interfaces.append(interface)
         names.append(name)
         title = name.replace("_", " ").capitalize()
-        pictures.append("## %s\n\n```sh\ncrossfield quads tests/data/regions/%s -o %s %s\n```\n\n![%s](regions/%s.png)\n\n%s" % (
+        pictures.append("## %s\n\n```sh\ncrossfield quads tests/data/regions/%s -o %s %s\n```\n\n![%s](regions_gallery/%s.png)\n\n%s" % (
             title, name + EXTENSION.get(name, ".vtp"), output, options, title, name, textwrap.fill(text, 140)))
     (folder / "regions_gallery.md").write_text(PAGE % ("\n".join(table), "\n".join(interfaces), "\n\n".join(pictures)), encoding="utf-8")
     (folder / "names.txt").write_text("\n".join(names) + "\n", encoding="utf-8")
