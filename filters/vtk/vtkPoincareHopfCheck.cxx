@@ -1,21 +1,18 @@
 #include "vtkPoincareHopfCheck.h"
 
-#include "BoundarySingularities.h"
 #include "ColumnWriting.h"
+#include "ConfigurationCheck.h"
 #include "ConfigurationConversion.h"
 #include "ConfigurationPlacement.h"
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
-#include "DomainQueries.h"
 #include "DrilledMeshConversion.h"
 #include "FieldCheck.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "HolonomyCheck.h"
 #include "MaterialCheck.h"
 #include "RegionConversion.h"
-#include "RegionRequests.h"
 #include "SingularityRecord.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -44,17 +41,13 @@ using ColumnWriting::AddIntegers;
 using ColumnWriting::AddNumbers;
 
 /** Results of checking a configuration or a field. */
-struct Findings
+struct Findings : crossfield::ConfigurationCheck
 {
-  crossfield::PoincareHopfCount count;
-  bool consistent = false;
-  std::string reason;
-  std::vector<double> holonomyDefects;
   bool isField = false;
   std::vector<int> holeDegrees;
   std::vector<int> holeDegreesReliable;
   int unwantedSingularities = 0;
-  std::vector<crossfield::RegionReport> regions; ///< With several materials.
+  std::vector<std::string> materials; ///< With several of them, their names.
   crossfield::DomainPlane plane;
 };
 
@@ -65,140 +58,26 @@ vtkUnstructuredGrid* AsField(vtkDataSet* domain)
                                                                                           : nullptr;
 }
 
-/** Returns a sentence about corners that were capped; `uncapped` is the required sum without this. */
-std::string DescribeCaps(std::size_t corners, int uncapped)
-{
-  return std::to_string(corners) +
-    (corners == 1 ? " very sharp corner counts as an ordinary one"
-                  : " very sharp corners count as ordinary ones") +
-    ", with one quad; without this the sum is " + std::to_string(uncapped) +
-    " (CapCorners, --no-cap-corners).";
-}
-
-/** How configurations are checked. */
-struct CheckOptions
-{
-  double cornerAngle = 0.0;
-  bool cap = false;
-  bool holonomy = true;
-};
-
-/** Checks a configuration on a domain with chosen indices of corners. */
-Findings CheckDomain(const crossfield::PlanarDomain& domain,
-  const crossfield::Configuration& configuration, std::vector<crossfield::CornerChoice> choices,
-  const CheckOptions& options, const crossfield::Progress& progress)
-{
-  Findings result;
-  const std::size_t given = choices.size();
-  const crossfield::PoincareHopfCount uncapped =
-    crossfield::CountQuarters(domain.loops, 0, options.cornerAngle, choices);
-  if (options.cap)
-  {
-    choices = crossfield::CapCorners(uncapped, choices);
-  }
-  progress.Report(0.1);
-  crossfield::RequireInside(domain, configuration);
-  std::vector<crossfield::CornerChoice> chosen = choices;
-  int interior = crossfield::TotalQuarters(configuration);
-  for (const crossfield::CornerChoice& choice : crossfield::BoundaryChoices(domain, configuration))
-  {
-    chosen.push_back(choice);
-    interior -= choice.quarterIndex;
-  }
-  result.count =
-    crossfield::CountQuarters(crossfield::InsertBoundarySingularities(domain, configuration).loops,
-      interior, options.cornerAngle, chosen);
-  result.consistent = result.count.Consistent();
-  if (result.consistent && options.holonomy)
-  {
-    result.holonomyDefects =
-      crossfield::HolonomyDefects(domain, configuration, choices, progress.Part(0.1, 1.0));
-  }
-  result.reason = crossfield::ConsistencyReason(result.count, result.holonomyDefects);
-  if (choices.size() > given)
-  {
-    result.reason += " " + DescribeCaps(choices.size() - given, uncapped.requiredInteriorQuarters);
-  }
-  return result;
-}
-
-/** Adds up the counts of regions. */
-void Add(const crossfield::PoincareHopfCount& part, crossfield::PoincareHopfCount& sum)
-{
-  sum.eulerCharacteristic += part.eulerCharacteristic;
-  sum.valence += part.valence;
-  sum.tangentTurning += part.tangentTurning;
-  sum.requiredInteriorQuarters += part.requiredInteriorQuarters;
-  sum.givenInteriorQuarters += part.givenInteriorQuarters;
-  sum.corners.insert(sum.corners.end(), part.corners.begin(), part.corners.end());
-}
-
-/** Returns a sentence about the nodes of regions that are irregular nodes of the mesh. */
-std::string DescribeNodes(
-  const crossfield::RegionSet& set, const crossfield::RegionRequests& requests)
-{
-  std::string places;
-  int count = 0;
-  for (std::size_t n = 0; n < set.nodes.size(); ++n)
-  {
-    const int index = crossfield::IndexAt(set.nodes[n], requests.nodeCorners[n]);
-    if (index != 0 && !set.nodes[n].isOnBoundary)
-    {
-      places += (count++ > 0 ? ", " : "") + crossfield::Describe(set.nodes[n].place) + " (" +
-        std::to_string(4 - index) + " quads)";
-    }
-  }
-  return count == 0 ? std::string()
-    : count == 1    ? " The node of regions at " + places + " is an irregular node of the mesh."
-                    : " The nodes of regions at " + places + " are irregular nodes of the mesh.";
-}
-
-/** Checks a configuration in each region of a domain of several materials. */
-Findings CheckRegions(const RegionConversion::Regions& regions,
-  const crossfield::Configuration& configuration,
-  const std::vector<crossfield::CornerChoice>& choices, const CheckOptions& options,
+Findings CheckConfiguration(vtkObject* self, vtkDataSet* input, const std::string& materials,
+  vtkDataSet* singularities, vtkDataSet* corners, const crossfield::CheckOptions& options,
   const crossfield::Progress& progress)
 {
-  const crossfield::RegionSet& set = regions.set;
-  std::vector<crossfield::DomainPart> parts;
-  for (const crossfield::Region& region : set.regions)
-  {
-    parts.push_back({ region.domain, {}, {} });
-  }
-  crossfield::QuadRequest request;
-  request.singularities = configuration;
-  request.corners = choices;
-  const crossfield::RegionRequests requests = crossfield::SplitForRegions(set, parts, request);
   Findings result;
+  if (materials.empty())
+  {
+    const auto [domain, plane] = DomainConversion::ReadDomain(input, self);
+    static_cast<crossfield::ConfigurationCheck&>(result) = crossfield::CheckConfiguration(domain,
+      ConfigurationConversion::ReadConfiguration(singularities, plane),
+      CornerConversion::ReadCorners(corners, plane), options, progress);
+    result.plane = plane;
+    return result;
+  }
+  const RegionConversion::Regions regions = RegionConversion::Read(input, materials);
+  static_cast<crossfield::ConfigurationCheck&>(result) = crossfield::CheckRegions(regions.set,
+    ConfigurationConversion::ReadConfiguration(singularities, regions.plane),
+    CornerConversion::ReadCorners(corners, regions.plane), options, progress);
+  result.materials = regions.set.materials;
   result.plane = regions.plane;
-  result.consistent = true;
-  for (std::size_t r = 0; r < parts.size(); ++r)
-  {
-    const crossfield::QuadRequest& own = requests.ofRegions[r].request;
-    const auto size = static_cast<double>(parts.size());
-    const auto number = static_cast<double>(r);
-    const Findings found =
-      CheckDomain(parts[r].domain, own.singularities.value_or(crossfield::Configuration()),
-        own.corners, options, progress.Part(number / size, (number + 1.0) / size));
-    Add(found.count, result.count);
-    result.holonomyDefects.insert(
-      result.holonomyDefects.end(), found.holonomyDefects.begin(), found.holonomyDefects.end());
-    result.regions.push_back({ set.regions[r].material, found.count.requiredInteriorQuarters,
-      found.count.givenInteriorQuarters, 0 });
-    if (!found.consistent)
-    {
-      result.reason += (result.consistent ? "Material '" : " Material '") +
-        set.materials[static_cast<std::size_t>(set.regions[r].material)] + "' near " +
-        crossfield::Describe(parts[r].domain.loops[0][0]) + ": " + found.reason;
-      result.consistent = false;
-    }
-  }
-  if (result.consistent)
-  {
-    result.reason = "The quarter indices in each of the " + std::to_string(parts.size()) +
-      " regions add up to the sum that its corners require.";
-  }
-  result.reason += DescribeNodes(set, requests);
   return result;
 }
 
@@ -338,38 +217,18 @@ int vtkPoincareHopfCheck::RequestData(
   const auto check = [&](const crossfield::Progress& progress)
   {
     vtkUnstructuredGrid* field = AsField(domain);
-    const CheckOptions options = { vtkMath::RadiansFromDegrees(this->CornerAngle), this->CapCorners,
-      this->Holonomy };
-    const std::string materials =
-      field != nullptr ? std::string() : MaterialCheck::FindArray(domain, this->MaterialArray);
-    Findings findings;
-    std::vector<std::string> names;
-    if (field != nullptr)
-    {
-      findings = CheckField(field, corners, progress);
-    }
-    else if (!materials.empty())
-    {
-      const RegionConversion::Regions regions = RegionConversion::Read(domain, materials);
-      names = regions.set.materials;
-      findings = CheckRegions(regions,
-        ConfigurationConversion::ReadConfiguration(singularities, regions.plane),
-        CornerConversion::ReadCorners(corners, regions.plane), options, progress);
-    }
-    else
-    {
-      const auto [outline, plane] = DomainConversion::ReadDomain(domain, this);
-      findings =
-        CheckDomain(outline, ConfigurationConversion::ReadConfiguration(singularities, plane),
-          CornerConversion::ReadCorners(corners, plane), options, progress);
-      findings.plane = plane;
-    }
+    const crossfield::CheckOptions options = { vtkMath::RadiansFromDegrees(this->CornerAngle),
+      this->CapCorners, this->Holonomy };
+    const Findings findings = field != nullptr
+      ? CheckField(field, corners, progress)
+      : CheckConfiguration(this, domain, MaterialCheck::FindArray(domain, this->MaterialArray),
+          singularities, corners, options, progress);
     vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
     output->ShallowCopy(domain);
     WriteFindings(findings, output->GetFieldData());
     if (!findings.regions.empty())
     {
-      RegionConversion::WriteCounts(findings.regions, names, output->GetFieldData());
+      RegionConversion::WriteCounts(findings.regions, findings.materials, output->GetFieldData());
     }
     CornerConversion::WriteLoopTable(
       findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
