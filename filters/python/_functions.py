@@ -6,7 +6,7 @@ from typing import Any, Optional, Sequence, Union
 from . import names
 from ._arguments import checks_arguments
 from ._configurations import checked, chosen as choose, corner_points, give
-from ._input import Domain, Singularities, as_configuration, as_domain
+from ._input import Domain, Singularities, as_configuration, as_domain, material_array
 from ._results import (
     Corners, CrossField, HField, Mesh, Separatrices, ConsistencyCheck, copied, field_of, h_field_of, mesh_of,
     places, report_of, separatrices_of)
@@ -203,7 +203,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     filter_.SetCornerAngle(corner_angle)
     filter_.SetHolonomy(holonomy)
     filter_.SetCapCorners(cap_corners)
-    filter_.SetMaterialArray(materials if materials and materials != "curves" else "")
+    filter_.SetMaterialArray(material_array(materials))
     checked = pipeline.update(filter_).GetOutput()
     found = filter_.GetOutputDataObject(2)
     report = report_of("check", checked, corners=found, loops=filter_.GetOutputDataObject(1))

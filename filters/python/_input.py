@@ -159,6 +159,11 @@ def _as_curves_or_surfaces(data: vtkDataSet) -> Union[vtkPolyData, vtkUnstructur
     return Pipeline().update_one(append).GetOutput()
 
 
+def material_array(materials: Optional[str]) -> str:
+    """Returns the name of the array of materials for filters; those of the curves of a drawing have the usual one."""
+    return materials if materials and materials != "curves" else ""
+
+
 def as_domain(domain: Domain, size: Optional[float],
               materials: Optional[str] = None) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Returns the data set of a domain; curves of built-in domains are sampled at `size`. With the materials

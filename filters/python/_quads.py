@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 from . import names
 from ._arguments import checks_arguments, dictionary, number, whole
 from ._configurations import checked, corner_points
-from ._input import Domain, Singularities, as_configuration, as_domain
+from ._input import Domain, Singularities, as_configuration, as_domain, material_array
 from ._layers import (
     CornerRows, Curves, Layers, Periodic, corner_rows_text, curves_text, layers_text, periodic_text)
 from ._plot import plot_quads
@@ -369,7 +369,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetSideNameArray(names or "")
-    mesher.SetMaterialArray(materials if materials and materials != "curves" else "")
+    mesher.SetMaterialArray(material_array(materials))
     for side, edges in dictionary(counts or {}, "argument counts", "{'wall': 40}").items():
         mesher.AddSide(side, str(whole(edges, "count of '%s'" % side)), "", "")
     for side, progression in dictionary(progressions or {}, "argument progressions", "{'wall': 2.0}").items():

@@ -100,8 +100,8 @@ void BoundaryOptions::AddMaterialsTo(CLI::App& command)
         this->drawing.closedCurvesAreRegions = name == "curves";
         this->materials = this->drawing.closedCurvesAreRegions ? "" : name;
       },
-      "cell array of a mesh, strings or integers, with the materials of its cells, each of which has "
-      "singularities of its own; curves: every closed curve of a drawing bounds a material, except those "
+      "cell array of a mesh, strings or integers, with the materials of its cells: singularities are counted and "
+      "chosen for each material; curves: every closed curve of a drawing bounds a material, except those "
       "whose names begin with hole; none: one material; default: Material or Region if the domain has it")
     ->type_name("ARRAY");
 }

@@ -148,6 +148,20 @@ class Regions(ProgramTest):
         self.assertEqual((merged["inverted"], merged["irregular"]), (0, kept["irregular"]))
         self.assertEqual(merged["blocks_by_merge"], {"coarse": merged["blocks"]})
 
+    def test_a_sharp_tip_has_a_remedy_that_works(self):
+        def wedge(length):
+            """Returns a square with a wedge of 1.4 degrees, whose tip is cut off at this length."""
+            height = 0.05 * length / 2
+            return msh([(length, 0), (2, 0), (2, 0.05), (2, 1), (0, 1), (0, 0), (length, height)],
+                       [(1, (0, 1, 2, 6)), (2, (6, 2, 3, 4)), (2, (6, 4, 5, 0))], [], [(2, 1, "a"), (2, 2, "b")])
+        sharp = msh([(0, 0), (2, 0), (2, 0.05), (2, 1), (0, 1)], [(1, (0, 1, 2)), (2, (0, 2, 3, 4))], [],
+                    [(2, 1, "a"), (2, 2, "b")])
+        (self.folder / "sharp.msh").write_text(sharp)
+        message = self.refuse("quads", "sharp.msh", "-o", "q.vtu", "--quads", "300", says=("Material 'a'", "cut off its corners"))
+        length = float(re.search(r"45° ([0-9.]+) before", message).group(1))
+        (self.folder / "cut.msh").write_text(wedge(length))
+        self.quads("cut.msh", "quads.vtu", "--quads", "300")
+
     def test_cells_that_touch_share_points(self):
         nodes = [(0, 0), (1, 0), (1, 1), (0, 1), (2, 0), (2, 0.5), (1, 0.5), (2, 1)]
         (self.folder / "t.msh").write_text(msh(nodes, [(1, (0, 1, 2, 3)), (2, (1, 4, 5, 6)), (3, (6, 5, 7, 2))], [],

@@ -10,6 +10,8 @@
 #include "SegmentSearch.h"
 #include "UnionFind.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -75,21 +77,15 @@ private:
     constexpr double Touching = 1e-6; // relative to the extent, as points that are in a plane
     std::vector<SegmentSearch::Segment> open;
     std::vector<const CellSide*> sides;
-    Point lower = this->Cells.points.front();
-    Point upper = lower;
+    Eigen::AlignedBox2d box;
     for (const CellSide& side : this->Sides)
     {
       if (side.twin < 0)
       {
         open.push_back({ this->At(side.from), this->At(side.to) });
         sides.push_back(&side);
-        lower = lower.cwiseMin(this->At(side.from));
-        upper = upper.cwiseMax(this->At(side.from));
+        box.extend(this->At(side.from));
       }
-    }
-    if (open.empty())
-    {
-      return;
     }
     std::map<int, int> before; // the point before each one on the boundary
     for (const CellSide* const side : sides)
@@ -97,7 +93,7 @@ private:
       before[side->to] = side->from;
     }
     const SegmentSearch search(open);
-    const double reach = Touching * (upper - lower).norm();
+    const double reach = Touching * box.diagonal().norm();
     for (const CellSide* const side : sides)
     {
       const Point& place = this->At(side->from);

@@ -129,7 +129,6 @@ void BalanceTargets(const TMesh& mesh, QuantisationProblem& problem)
       }
     }
   }
-  const std::size_t ofPatches = pairs.size();
   for (const CountSum& sum : problem.sums)
   {
     if (sum.minimum == 0 && sum.maximum == 0)
@@ -152,9 +151,7 @@ void BalanceTargets(const TMesh& mesh, QuantisationProblem& problem)
     largest = 0.0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-      const std::array<Arcs, 2>& sides = pairs[sweep % 2 == 0 ? i
-          : i < ofPatches                                     ? (ofPatches - 2 - i / 2 * 2) + i % 2
-                                                              : i];
+      const std::array<Arcs, 2>& sides = pairs[sweep % 2 == 0 ? i : pairs.size() - 1 - i];
       const std::array<double, 2> sums = { sumOver(sides[0], problem.target),
         sumOver(sides[1], problem.target) };
       if (!(sums[0] > 0.0 && sums[1] > 0.0))

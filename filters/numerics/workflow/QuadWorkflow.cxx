@@ -98,11 +98,10 @@ void TryWithoutTips(const PlanarDomain& polygons, const QuadRequest& requested,
   {
     return;
   }
-  // As little as possible: the longest is less than one of a thousand quads.
-  for (const double part : { 800.0, 200.0, 50.0 })
+  for (const double part : TipLengths)
   {
     const std::optional<CutDomain> cut =
-      CutSharpTips(polygons, requested, polygons.Diagonal() / part);
+      CutSharpTips(polygons, requested, part * polygons.Diagonal());
     if (!cut)
     {
       return;

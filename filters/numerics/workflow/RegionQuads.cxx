@@ -4,6 +4,8 @@
 #include "BoundarySymmetry.h"
 #include "Index.h"
 #include "NodePositions.h"
+#include "OptimizerReport.h"
+#include "Outcome.h"
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
 #include "QuadBudget.h"
@@ -13,6 +15,7 @@
 #include "RegionRequests.h"
 #include "RegionSizes.h"
 #include "RegionTurns.h"
+#include "SharpTips.h"
 #include "WeldRegions.h"
 
 #include <algorithm>
@@ -98,27 +101,47 @@ private:
     }
   }
 
-  /// Returns the error of a region with the name of its material. If a finer mesh does not cure it, the
-  /// sharpest corner is the cause in most cases: tips of regions are not cut off.
+  /// Returns the error of a region with the name of its material, and the remedy that was found for it.
   Error ErrorOf(std::size_t region, const Error& error) const
   {
-    constexpr double SharpTip = Pi / 4.0; // as in SharpTips.h
-    const PlanarDomain& domain = this->Parts[region].domain;
-    const std::string start =
-      "Material '" + this->NameOf(region) + "' near " + Describe(domain.loops[0][0]) + ": ";
-    const std::vector<Corner> corners = FindCorners(domain.loops);
-    const auto sharpest = std::min_element(corners.begin(), corners.end(),
-      [](const Corner& a, const Corner& b) { return a.angle < b.angle; });
-    if (error.GetKind() != Error::Kind::CoarseMesh || sharpest == corners.end() ||
-      sharpest->angle > SharpTip)
+    const std::string start = "Material '" + this->NameOf(region) + "' near " +
+      Describe(this->Parts[region].domain.loops[0][0]) + ": ";
+    if (error.GetKind() != Error::Kind::CoarseMesh || error.GetCause().empty())
     {
       return Error(start + error.what(), error.GetKind());
     }
-    const std::string& cause = error.GetCause().empty() ? error.what() : error.GetCause();
-    return { start + cause + "; its sharpest corner, at " + Describe(sharpest->position) +
-        ", has " + FormatNumber(sharpest->angle * 180.0 / Pi, 2) + "°",
-      "widen this corner, or mesh all as one material (MaterialArray none, --materials none)",
-      error.GetKind() };
+    return { start + error.GetCause(), this->FindRemedy(region), error.GetKind() };
+  }
+
+  /// Returns how far the sharp corners of a region must be cut off until it can be laid out by itself, in words;
+  /// an empty text if that does not help.
+  std::string FindRemedy(std::size_t region) const
+  {
+    const PlanarDomain& domain = this->Parts[region].domain;
+    QuadRequest request = this->Requests[region].request;
+    request.corners.clear(); // those with prescribed indices would stay
+    for (const double part : TipLengths)
+    {
+      const double length = part * domain.Diagonal();
+      const std::optional<CutDomain> cut = CutSharpTips(domain, request, length);
+      LaidOutRegion trial;
+      QuadSeconds seconds;
+      const bool helps = cut &&
+        Try(
+          [&]
+          {
+            PlaceSingularities(cut->domain, cut->request, seconds, {}, trial);
+            LayOutRegion({}, trial);
+            return true;
+          })
+          .value;
+      if (helps)
+      {
+        return "cut off its corners below 45° " + FormatShort(length) +
+          " before their tips, with which it has quads by itself";
+      }
+    }
+    return "";
   }
 
   void LayOutRegions(const Progress& progress)
