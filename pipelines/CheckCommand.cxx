@@ -75,6 +75,7 @@ int Check(const CheckOptions& options)
   proposal->SetInputConnection(domain->GetOutputPort());
   check->SetCapCorners(options.capCorners);
   check->SetMaterialArray(options.boundary.materials);
+  check->SetLines(options.boundary.lines);
   proposal->SetCapCorners(options.capCorners);
   DomainReader::ConnectCorners(check.Get(), options.corners);
   DomainReader::ConnectCorners(proposal.Get(), options.corners);
@@ -165,6 +166,7 @@ void AddCheckCommand(CLI::App& app, int& status)
     ->required();
   options->boundary.AddTo(*command);
   options->boundary.AddMaterialsTo(*command);
+  options->boundary.AddLinesTo(*command);
   AddSingularitiesTo(*command, options->singularities, "none");
   AddCornersTo(*command, options->corners);
   CLI::Option* proposing = command->add_option("--propose", options->proposal,

@@ -164,6 +164,8 @@ int Mesh(const QuadsOptions& options)
   SetSizing(options, mesher);
   mesher->SetSideNameArray(options.boundary.names);
   mesher->SetMaterialArray(options.boundary.materials);
+  mesher->SetLines(options.boundary.lines);
+  mesher->SetOpenLines(options.boundary.openLines);
   options.sides.SetOn(mesher);
   mesher->SetMerge(options.merge);
   mesher->SetPrefer(options.prefer);
@@ -321,6 +323,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "corners")
     ->type_name("ARRAY");
   options->boundary.AddMaterialsTo(*command);
+  options->boundary.AddLinesTo(*command);
+  options->boundary.AddOpenLinesTo(*command);
   options->sides.AddTo(*command);
   const std::vector<std::pair<std::string, int>> merges = { { "none", vtkQuadMesher::MergeNone },
     { "clean", vtkQuadMesher::MergeClean }, { "coarse", vtkQuadMesher::MergeCoarse } };

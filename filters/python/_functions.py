@@ -1,12 +1,13 @@
 """Functions of the package: one pipeline of filters each."""
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import names
 from ._arguments import checks_arguments
 from ._configurations import checked, chosen as choose, corner_points, give
-from ._input import Domain, Singularities, as_configuration, as_domain, material_array
+from ._input import (
+    Domain, Lines, Singularities, as_configuration, as_domain, line_names, material_array, with_lines)
 from ._results import (
     Corners, CrossField, HField, Mesh, Separatrices, ConsistencyCheck, copied, field_of, h_field_of, mesh_of,
     places, report_of, separatrices_of)
@@ -178,8 +179,8 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
 @checks_arguments
 def check(domain: Domain, singularities: Singularities = None, *,
           corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
-          holonomy: bool = True, cap_corners: bool = True,
-          materials: Optional[str] = None) -> ConsistencyCheck:
+          holonomy: bool = True, cap_corners: bool = True, materials: Optional[str] = None,
+          lines: Optional[Lines] = None) -> ConsistencyCheck:
     """Checks whether singularities can exist on a domain, and why, by the Poincaré-Hopf theorem.
 
     The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
@@ -187,7 +188,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     a corner. `holonomy` also computes the holonomy defects of inner loops, which takes a solve.
     `cap_corners` gives sharp corners of quarter index 2 index 1, as `quads` does. `materials` is the
     cell array of a mesh with the materials of its cells, as for `quads`: each region is checked by
-    itself. A configuration that cannot exist is no error.
+    itself. `lines` are lines inside, as for `quads`. A configuration that cannot exist is no error.
 
     >>> checked = check("builtin:disk", [(0, 0, 1)])
     >>> checked.consistent, checked.report["required_interior_quarters"]
@@ -195,7 +196,9 @@ def check(domain: Domain, singularities: Singularities = None, *,
     """
     pipeline = Pipeline()
     filter_ = pipeline.add(vtkPoincareHopfCheck())
-    filter_.SetInputData(as_domain(domain, None, materials))
+    data = as_domain(domain, None, materials, line_names(lines))
+    filter_.SetInputData(with_lines(data, lines) if isinstance(lines, Mapping) else data)
+    filter_.SetLines(";".join(line_names(lines)))
     if singularities is not None:
         filter_.SetSingularitiesData(as_configuration(singularities))
     if corners is not None:

@@ -2,12 +2,12 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray, vtkDataSet, vtkPolyData, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
@@ -27,6 +27,8 @@ Path = Union[str, "os.PathLike[str]"]
 Domain = Union[ArrayLike, Sequence[ArrayLike], vtkDataSet, Path]
 #: Rows of x, y, quarter index and optionally radius, a data set, or a file; None: no singularities.
 Singularities = Union[ArrayLike, vtkDataSet, Path, None]
+#: Names of lines inside of a domain, or their points by names.
+Lines = Union[str, Sequence[str], Mapping[str, ArrayLike]]
 
 _READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader,
             ".vtk": vtkGenericDataObjectReader, ".stl": vtkSTLReader, ".obj": vtkOBJReader,
@@ -51,12 +53,18 @@ def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
     return array
 
 
+def positions(values: Any, what: str) -> np.ndarray:
+    """Returns positions (n, 3); z is 0 if it is not given."""
+    rows = _numbers(values, (2, 3), what)
+    padded = np.zeros((len(rows), 3))
+    padded[:, :rows.shape[1]] = rows
+    return padded
+
+
 def _points(places: np.ndarray) -> vtkPoints:
     """Returns points in double precision; z is 0 if it is not given."""
-    padded = np.zeros((len(places), 3))
-    padded[:, :places.shape[1]] = places
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(padded, deep=True))
+    points.SetData(numpy_to_vtk(positions(places, "points"), deep=True))
     return points
 
 
@@ -93,11 +101,12 @@ def _loops(loops: Any) -> vtkPolyData:
 
 @checks_arguments
 def read(path: Path, join_tolerance: Optional[float] = None, layers: Sequence[str] = (),
-         closed_curves_are_regions: bool = False) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+         closed_curves_are_regions: bool = False,
+         lines: Sequence[str] = ()) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
     aerofoil .dat, or a drawing: .dxf .svg .geojson .msh .poly .off .step .brep, whose open ends are joined within
     `join_tolerance`, by default 1e-5 of its diagonal. Of a drawing, the curves of `layers` are used, by default all. With `closed_curves_are_regions` each closed curve of it bounds a material, except those whose names
-    begin with "hole". "builtin:NAME" is a built-in domain.
+    begin with "hole". Curves of the names `lines` are lines inside of it. "builtin:NAME" is a built-in domain.
 
     Raises Error if there is no such file or domain, or the file cannot be read or holds no cells.
     """
@@ -113,6 +122,7 @@ def read(path: Path, join_tolerance: Optional[float] = None, layers: Sequence[st
         drawing.SetJoinTolerance(join_tolerance or 0.0)
         drawing.SetLayers(";".join(layers))
         drawing.SetClosedCurvesAreRegions(closed_curves_are_regions)
+        drawing.SetLines(";".join(lines))
         return Pipeline().update_one(drawing).GetOutput()
     if layers or closed_curves_are_regions:
         raise Error("The file '%s' is no drawing and has no layers or curves; leave them out." % path)
@@ -164,25 +174,72 @@ def material_array(materials: Optional[str]) -> str:
     return materials if materials and materials != "curves" else ""
 
 
-def as_domain(domain: Domain, size: Optional[float],
-              materials: Optional[str] = None) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+def as_domain(domain: Domain, size: Optional[float], materials: Optional[str] = None,
+              lines: Sequence[str] = ()) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Returns the data set of a domain; curves of built-in domains are sampled at `size`. With the materials
-    "curves" the domain must be a drawing."""
+    "curves" the domain must be a drawing. Curves of a drawing of the names `lines` are lines inside."""
     if materials == "curves":
         if not isinstance(domain, (str, os.PathLike)):
             raise Error("The materials \"curves\" are those of a drawing; give the name of its file.")
-        return read(domain, closed_curves_are_regions=True)
+        return read(domain, closed_curves_are_regions=True, lines=lines)
     if isinstance(domain, vtkDataSet):
         if domain.GetNumberOfCells() == 0:  # the filters would return an empty output
             raise Error("The domain has no cells; give boundary lines or a triangle mesh.")
         return _as_curves_or_surfaces(domain)
     if isinstance(domain, (str, os.PathLike)):
         name = os.fspath(domain)
-        return _builtin(name, size or 0.0) if name.startswith(_BUILTIN) else read(name)
+        return _builtin(name, size or 0.0) if name.startswith(_BUILTIN) else read(name, lines=lines)
     if not isinstance(domain, (np.ndarray, Sequence)) and not hasattr(domain, "__array__"):
         raise ArgumentError("The domain is of the type %s; give an array of points, a list of loops, a data set of VTK, "
                             "the name of a file or \"builtin:NAME\"." % type(domain).__name__)
     return _loops(domain if isinstance(domain, Sequence) else np.asarray(domain))
+
+
+def line_names(lines: Optional[Lines]) -> list[str]:
+    """Returns the names of lines inside of a domain."""
+    names_of_lines = [lines] if isinstance(lines, str) else list(lines or ())
+    if not all(isinstance(name, str) and name and ";" not in name for name in names_of_lines):
+        raise ArgumentError("The lines are not called by names; give a list of names, or points by names, as "
+                            "{'crack': [(0, 0), (1, 0)]}.")
+    return names_of_lines
+
+
+def with_lines(data: vtkDataSet, lines: Mapping[str, ArrayLike]) -> vtkUnstructuredGrid:
+    """Returns a domain with lines of the names in the array `Side`."""
+    chains = [positions(points, "points of the line '%s'" % name) for name, points in lines.items()]
+    added = vtkPolyData()
+    added.SetPoints(_points(np.concatenate(chains)))
+    cells, first = vtkCellArray(), 0
+    for places in chains:
+        cells.InsertNextCell(len(places))
+        for point in range(first, first + len(places)):
+            cells.InsertCellPoint(point)
+        first += len(places)
+    added.SetLines(cells)
+    given = data.NewInstance()
+    given.ShallowCopy(data)
+    if not isinstance(given.GetCellData().GetAbstractArray(names.Side), vtkStringArray):
+        side = vtkStringArray()
+        side.SetName(names.Side)
+        side.SetNumberOfValues(given.GetNumberOfCells())
+        given.GetCellData().AddArray(side)
+    for i in range(given.GetCellData().GetNumberOfArrays()):
+        array = given.GetCellData().GetAbstractArray(i)
+        copy = array.NewInstance()
+        copy.SetName(array.GetName())
+        copy.SetNumberOfComponents(array.GetNumberOfComponents())
+        copy.SetNumberOfTuples(len(lines))
+        if not isinstance(copy, vtkStringArray):
+            copy.Fill(-1)
+        added.GetCellData().AddArray(copy)
+    for i, name in enumerate(lines):
+        added.GetCellData().GetAbstractArray(names.Side).SetValue(i, name)
+    append = vtkAppendFilter()
+    append.AddInputData(given)
+    append.AddInputData(added)
+    append.Update()
+    append.GetOutput().SetFieldData(data.GetFieldData())
+    return append.GetOutput()
 
 
 def configuration(points: ArrayLike, quarter_index: ArrayLike,

@@ -13,7 +13,8 @@ from vtkmodules.vtkCommonDataModel import (
 from . import names
 from ._arguments import checks_arguments, dictionary, number, whole
 from ._configurations import checked, corner_points
-from ._input import Domain, Singularities, as_configuration, as_domain, material_array
+from ._input import (
+    Domain, Lines, Singularities, as_configuration, as_domain, line_names, material_array, positions, with_lines)
 from ._layers import (
     CornerRows, Curves, Layers, Periodic, corner_rows_text, curves_text, layers_text, periodic_text)
 from ._plot import plot_quads
@@ -247,7 +248,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           prefer: Optional[str] = None, alternative: int = 0,
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
-          materials: Optional[str] = None,
+          materials: Optional[str] = None, lines: Optional[Lines] = None, open_lines: Sequence[str] = (),
+          nodes: Optional[Sequence[Sequence[float]]] = None,
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
           sizes: Optional[Mapping[str, float]] = None, sizes_inside: Optional[Mapping[str, float]] = None,
           sizes_near: Optional[Sequence[Sequence[float]]] = None, min_size: Optional[float] = None,
@@ -298,6 +300,11 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    report["regions"] has each region; "curves": every closed curve of a drawing bounds a material,
                    except those whose names begin with "hole"; "none": one material; default: "Material" or "Region" if the
                    domain has it
+    lines          lines inside of the domain along which quads are aligned, such as welds: points by names, as
+                   {"weld": [(0, 0), (1, 0)]}, or names of lines of the domain or of curves of a drawing
+    open_lines     names of lines, or of sides between materials, whose two sides have nodes of their own, such as
+                   cracks: sides of the names "crack.left" and "crack.right"
+    nodes          positions where the mesh has nodes: the nearest node is moved there, by at most one quad
     counts         number of edges by the name of a side
     progressions   last edge over the first by the name of a side, with the domain on the left; or the lengths
                    (first, last); or ("both", ratio), ("both", first, middle) towards both ends
@@ -354,7 +361,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     if sizing == "field" and size is not None:
         raise Error("The sizing 'field' has its sizes in the array; leave size out, or give count.")
     pipeline = Pipeline()
-    data = as_domain(domain, mesh_size, materials)
+    data = as_domain(domain, mesh_size, materials, line_names(lines) + line_names(open_lines))
+    if isinstance(lines, Mapping):
+        data = with_lines(data, lines)
     mesher = pipeline.add(vtkQuadMesher())
     mesher.SetInputData(data)
     mesher.SetQuadSize(checked(size))
@@ -370,6 +379,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetSideNameArray(names or "")
     mesher.SetMaterialArray(material_array(materials))
+    mesher.SetLines(";".join(line_names(lines)))
+    mesher.SetOpenLines(";".join(line_names(open_lines)))
+    for place in positions([] if nodes is None else nodes, "positions of nodes"):
+        mesher.AddNode(*place)
     for side, edges in dictionary(counts or {}, "argument counts", "{'wall': 40}").items():
         mesher.AddSide(side, str(whole(edges, "count of '%s'" % side)), "", "")
     for side, progression in dictionary(progressions or {}, "argument progressions", "{'wall': 2.0}").items():

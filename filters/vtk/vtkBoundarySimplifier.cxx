@@ -261,15 +261,16 @@ int vtkBoundarySimplifier::RequestData(
         PartSelection::Select(whole, this->Part, this->SideNameArray);
       vtkDataSet* input = part;
       const crossfield::CurveRequest request = SideText::ReadCurves(this->Curves);
-      const bool hasMaterials = !MaterialCheck::FindArray(input, this->MaterialArray).empty();
-      if (hasMaterials && isRequested)
+      const bool hasRegions =
+        !MaterialCheck::FindArray(input, this->MaterialArray).empty() || !this->Lines.empty();
+      if (hasRegions && isRequested)
       {
         throw crossfield::Error(
-          "The boundary of a domain of several materials is not simplified yet; leave the lengths "
-          "of thinning and smoothing out (--thin-boundary, --smooth-boundary), or the materials "
-          "(--materials none).");
+          "The boundary of a domain of several materials or with lines is not simplified yet; leave "
+          "the lengths of thinning and smoothing out (--thin-boundary, --smooth-boundary), or the "
+          "materials (--materials none) and lines.");
       }
-      if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr || hasMaterials ||
+      if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr || hasRegions ||
         (!isRequested &&
           ((this->ThinningLength == 0.0 && request.IsEmpty()) || HasSurfaceWithArrays(input) ||
             !CanHaveLines(input))))
@@ -359,6 +360,7 @@ void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
   os << indent << "MaterialArray: " << this->MaterialArray << "\n";
+  os << indent << "Lines: " << this->Lines << "\n";
   os << indent << "SideSizes: " << this->SideSizes.size() << "\n";
   os << indent << "KeptSides: " << this->KeptSides.size() << "\n";
   os << indent << "Curves: " << this->Curves << "\n";

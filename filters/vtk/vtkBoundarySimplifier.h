@@ -103,6 +103,14 @@ public:
   void SetMaterialArray(const char* name) { this->SetMaterialArray(std::string(name ? name : "")); }
 
   ///@{
+  /** Sets lines inside of the domain, as for vtkQuadMesher. A domain with lines is passed on as it is. */
+  vtkSetMacro(Lines, std::string);
+  vtkGetMacro(Lines, std::string);
+  ///@}
+  /** Sets the lines; overload for ParaView. */
+  void SetLines(const char* names) { this->SetLines(std::string(names ? names : "")); }
+
+  ///@{
   /**
    * Sets the cell array with the names of the domain's sides, as for vtkQuadMesher. The boundary is
    * kept at points where the name changes. Default: none, `Side` if the domain has that array.
@@ -165,6 +173,7 @@ private:
   double CornerAngle = 30.0;
   std::string SideNameArray;
   std::string MaterialArray;
+  std::string Lines;
   std::vector<std::pair<std::string, double>> SideSizes;
   std::vector<std::string> KeptSides;
   std::string Curves;

@@ -8,8 +8,10 @@
 #include "DrawingRegions.h"
 #include "Error.h"
 #include "FilterRun.h"
+#include "LineNetwork.h"
 #include "PointTable.h"
 #include "ReadAerofoil.h"
+#include "SideText.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,7 +21,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <optional>
-#include <sstream>
 
 vtkStandardNewMacro(vtkDrawingReader);
 
@@ -83,16 +84,12 @@ int vtkDrawingReader::RequestData(
     [&](const crossfield::Progress& progress)
     {
       crossfield::Drawing drawing = ReadFile(this->FileName);
-      std::vector<std::string> layers;
-      std::istringstream text(this->Layers);
-      for (std::string layer; std::getline(text, layer, ';');)
-      {
-        layers.push_back(layer);
-      }
-      crossfield::KeepLayers(layers, drawing);
+      crossfield::KeepLayers(SideText::ReadNames(this->Layers), drawing);
       constexpr double ReadShare = 0.5;
       progress.Report(ReadShare);
       const double turn = this->SamplingAngle * crossfield::Pi / 180.0;
+      const std::vector<crossfield::DrawnLine> lines =
+        crossfield::TakeLines(SideText::ReadNames(this->Lines), this->JoinTolerance, turn, drawing);
       std::optional<crossfield::DrawingOutline> outline;
       const bool areRegions = this->ClosedCurvesAreRegions && drawing.faces.empty() &&
         crossfield::TraceRegions(
@@ -115,11 +112,12 @@ int vtkDrawingReader::RequestData(
       }
       if (!outline)
       {
-        DrawingConversion::WriteFaces(drawing, vtkPolyData::GetData(outputVector));
+        DrawingConversion::WriteFaces(drawing, lines, vtkPolyData::GetData(outputVector));
       }
       else
       {
-        DrawingConversion::WriteOutline(drawing, *outline, vtkPolyData::GetData(outputVector));
+        DrawingConversion::WriteOutline(
+          drawing, *outline, lines, vtkPolyData::GetData(outputVector));
       }
       for (const std::string& warning : outline ? outline->warnings : drawing.warnings)
       {
@@ -134,6 +132,7 @@ void vtkDrawingReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "Lines: " << this->Lines << "\n";
   os << indent << "JoinTolerance: " << this->JoinTolerance << "\n";
   os << indent << "ClosedCurvesAreRegions: " << (this->ClosedCurvesAreRegions ? "on" : "off")
      << "\n";

@@ -84,6 +84,17 @@ public:
 
   ///@{
   /**
+   * Sets the names of curves that are lines inside of the domain, not parts of its boundary, separated by
+   * semicolons. They become line cells of these names beside those of the boundary. Default: empty.
+   */
+  vtkSetMacro(Lines, std::string);
+  vtkGetMacro(Lines, std::string);
+  ///@}
+  /** Sets the lines; overload for ParaView. */
+  void SetLines(const char* names) { this->SetLines(std::string(names ? names : "")); }
+
+  ///@{
+  /**
    * Makes a region of a material of what each closed curve bounds, except curves whose names begin with `hole`. The
    * material is the name of the curves around a region if not all regions have the same, otherwise `region1`,
    * `region2`, ... by decreasing area. Default: off, closed curves inside of others are holes.
@@ -122,6 +133,7 @@ private:
 
   std::string FileName;
   std::string Layers;
+  std::string Lines;
   double JoinTolerance = 0.0;
   double SamplingAngle = 5.0;
   bool ClosedCurvesAreRegions = false;

@@ -13,6 +13,7 @@
 #include "FilterRun.h"
 #include "MaterialCheck.h"
 #include "RegionConversion.h"
+#include "SideText.h"
 #include "SingularityRecord.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -59,11 +60,13 @@ vtkUnstructuredGrid* AsField(vtkDataSet* domain)
 }
 
 Findings CheckConfiguration(vtkObject* self, vtkDataSet* input, const std::string& materials,
-  vtkDataSet* singularities, vtkDataSet* corners, const crossfield::CheckOptions& options,
-  const crossfield::Progress& progress)
+  const std::string& lineNames, vtkDataSet* singularities, vtkDataSet* corners,
+  const crossfield::CheckOptions& options, const crossfield::Progress& progress)
 {
   Findings result;
-  if (materials.empty())
+  const LineConversion::Lines lines =
+    LineConversion::Find(input, "", SideText::ReadNames(lineNames), {});
+  if (materials.empty() && lines.names.empty())
   {
     const auto [domain, plane] = DomainConversion::ReadDomain(input, self);
     static_cast<crossfield::ConfigurationCheck&>(result) = crossfield::CheckConfiguration(domain,
@@ -72,7 +75,7 @@ Findings CheckConfiguration(vtkObject* self, vtkDataSet* input, const std::strin
     result.plane = plane;
     return result;
   }
-  const RegionConversion::Regions regions = RegionConversion::Read(input, materials);
+  const RegionConversion::Regions regions = RegionConversion::Read(input, materials, lines, self);
   static_cast<crossfield::ConfigurationCheck&>(result) = crossfield::CheckRegions(regions.set,
     ConfigurationConversion::ReadConfiguration(singularities, regions.plane),
     CornerConversion::ReadCorners(corners, regions.plane), options, progress);
@@ -222,7 +225,7 @@ int vtkPoincareHopfCheck::RequestData(
     const Findings findings = field != nullptr
       ? CheckField(field, corners, progress)
       : CheckConfiguration(this, domain, MaterialCheck::FindArray(domain, this->MaterialArray),
-          singularities, corners, options, progress);
+          this->Lines, singularities, corners, options, progress);
     vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
     output->ShallowCopy(domain);
     WriteFindings(findings, output->GetFieldData());
@@ -252,4 +255,5 @@ void vtkPoincareHopfCheck::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CapCorners: " << (this->CapCorners ? "on" : "off") << "\n";
   os << indent << "Holonomy: " << (this->Holonomy ? "on" : "off") << "\n";
   os << indent << "MaterialArray: " << this->MaterialArray << "\n";
+  os << indent << "Lines: " << this->Lines << "\n";
 }

@@ -122,6 +122,17 @@ public:
   /** As above; a null pointer stands for an empty name. */
   void SetMaterialArray(const char* name) { this->SetMaterialArray(std::string(name ? name : "")); }
 
+  ///@{
+  /**
+   * Sets lines inside of the domain along which crosses are aligned: the names of line cells in the array `Side`, separated
+   * by semicolons, as for vtkQuadMesher. Default: empty.
+   */
+  vtkSetMacro(Lines, std::string);
+  vtkGetMacro(Lines, std::string);
+  ///@}
+  /** Sets the lines; overload for ParaView. */
+  void SetLines(const char* names) { this->SetLines(std::string(names ? names : "")); }
+
 protected:
   vtkPoincareHopfCheck();
   ~vtkPoincareHopfCheck() override = default;
@@ -139,6 +150,7 @@ private:
   bool CapCorners = false;
   bool Holonomy = true;
   std::string MaterialArray;
+  std::string Lines;
 };
 
 #endif

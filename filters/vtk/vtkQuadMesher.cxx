@@ -17,6 +17,7 @@
 #include "QuadReport.h"
 #include "RegionConversion.h"
 #include "RegionQuads.h"
+#include "RegionRequests.h"
 #include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SideText.h"
@@ -88,16 +89,21 @@ int vtkQuadMesher::RequestData(
     [&](const crossfield::Progress& progress)
     {
       const std::string materialArray = MaterialCheck::FindArray(domain, this->MaterialArray);
+      const std::vector<std::string> open = SideText::ReadNames(this->OpenLines);
+      const LineConversion::Lines lines =
+        LineConversion::Find(domain, this->SideNameArray, SideText::ReadNames(this->Lines), open);
       std::optional<RegionConversion::Regions> regions;
-      if (!materialArray.empty())
+      if (!materialArray.empty() || !lines.names.empty())
       {
-        regions = RegionConversion::Read(domain, materialArray);
+        regions = RegionConversion::Read(domain, materialArray, lines, this);
       }
       const std::vector<DomainConversion::Domain> input =
         regions ? regions->Domains() : DomainConversion::ReadParts(domain, this);
       const crossfield::DomainPlane& plane = input[0].plane;
       const std::vector<crossfield::BoundarySides> sides = SideConversion::ReadSides(
         domain, this->SideNameArray, input, regions ? &regions->set : nullptr);
+      crossfield::RegionSet none;
+      crossfield::OpenInterfaces(open, regions ? regions->set : none);
       std::vector<crossfield::DomainPart> parts;
       for (std::size_t p = 0; p < input.size(); ++p)
       {
@@ -142,6 +148,18 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   if (singularities != nullptr)
   {
     request.singularities = ConfigurationConversion::ReadConfiguration(singularities, plane);
+  }
+  for (const auto& [x, y, z] : this->Nodes)
+  {
+    request.nodes.push_back(plane.RequireInPlane({ x, y, z }, "The position of a node"));
+  }
+  for (const crossfield::Singularity& one :
+    request.singularities.value_or(crossfield::Configuration()))
+  {
+    if (one.quarterIndex == 0)
+    {
+      request.nodes.push_back(one.position);
+    }
   }
   request.corners = CornerConversion::ReadCorners(corners, plane);
   if (this->Sizing != SizingAutomatic)
@@ -368,6 +386,23 @@ void vtkQuadMesher::ClearSizesNear()
 }
 
 //------------------------------------------------------------------------------
+void vtkQuadMesher::AddNode(double x, double y, double z)
+{
+  this->Nodes.push_back({ x, y, z });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::ClearNodes()
+{
+  if (!this->Nodes.empty())
+  {
+    this->Nodes.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -377,6 +412,9 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
   os << indent << "MaterialArray: " << this->MaterialArray << "\n";
+  os << indent << "Lines: " << this->Lines << "\n";
+  os << indent << "OpenLines: " << this->OpenLines << "\n";
+  os << indent << "Nodes: " << this->Nodes.size() << "\n";
   os << indent << "Sides: " << this->Sides.size() << "\n";
   os << indent << "SizesInside: " << this->SizesInside.size() << "\n";
   os << indent << "SizesNear: " << this->SizesNear.size() << "\n";

@@ -239,6 +239,41 @@ public:
 
   ///@{
   /**
+   * Sets lines inside of the domain along which quads are aligned, such as welds and lines of measurements: the names of
+   * line cells in the array of sides, separated by semicolons. They may end anywhere, meet and cross. Sides may be
+   * prescribed for them. Default: empty, lines inside of the domain are ignored.
+   */
+  vtkSetMacro(Lines, std::string);
+  vtkGetMacro(Lines, std::string);
+  ///@}
+  /** Sets the lines; overload for ParaView. */
+  void SetLines(const char* names) { this->SetLines(std::string(names ? names : "")); }
+
+  ///@{
+  /**
+   * Sets lines and sides between materials that are open, such as cracks and contacts, by their names, separated by
+   * semicolons: both sides have nodes of their own at equal places, and are called by the name with `.left` and
+   * `.right`, in the direction of the line, or of the first material. Ends of lines inside of the domain have one
+   * node. Default: empty.
+   */
+  vtkSetMacro(OpenLines, std::string);
+  vtkGetMacro(OpenLines, std::string);
+  ///@}
+  /** Sets the open lines; overload for ParaView. */
+  void SetOpenLines(const char* names) { this->SetOpenLines(std::string(names ? names : "")); }
+
+  ///@{
+  /**
+   * Requests a node at a position in the domain: the nearest one that may move is moved there, by at most one quad.
+   * Singularities of quarter index 0 are such positions as well.
+   */
+  void AddNode(double x, double y, double z);
+  /** Removes all positions of nodes. */
+  void ClearNodes();
+  ///@}
+
+  ///@{
+  /**
    * Prescribes something for the side of a name; empty texts prescribe nothing.
    * - `count`: the number of edges along the side, a positive whole number.
    * - `progression`: the last edge over the first, in the direction with the domain on the left, of a
@@ -528,6 +563,9 @@ private:
   std::string SizeArray;
   std::string SideNameArray;
   std::string MaterialArray;
+  std::string Lines;
+  std::string OpenLines;
+  std::vector<std::array<double, 3>> Nodes;
   std::vector<std::array<std::string, 4>> Sides;
   std::vector<std::array<std::string, 2>> SizesInside;
   std::vector<std::array<double, 5>> SizesNear; ///< Position, size and radius.

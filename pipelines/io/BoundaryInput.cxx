@@ -41,6 +41,17 @@ std::optional<Change> ChangeOf(vtkAlgorithm* domain)
     static_cast<long long>(points->GetComponent(1, 0)), moved->GetComponent(0, 0) };
 }
 
+/** Returns names in the form of the filters. */
+std::string Join(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += name + ";";
+  }
+  return text;
+}
+
 /** Prints how many corners the boundary has no longer, and where the first of them was. */
 void PrintRemovedCorners(vtkBoundarySimplifier* simplifier)
 {
@@ -106,13 +117,40 @@ void BoundaryOptions::AddMaterialsTo(CLI::App& command)
     ->type_name("ARRAY");
 }
 
+void BoundaryOptions::AddLinesTo(CLI::App& command)
+{
+  command
+    .add_option_function<std::vector<std::string>>(
+      "--line", [this](const std::vector<std::string>& given) { this->lines = Join(given); },
+      "line inside of the domain along which quads are aligned, such as a weld or a line of "
+      "measurements: the name of lines beside the boundary, or of a layer of a drawing; may be repeated")
+    ->type_name("NAME")
+    ->expected(1)
+    ->take_all();
+}
+
+void BoundaryOptions::AddOpenLinesTo(CLI::App& command)
+{
+  command
+    .add_option_function<std::vector<std::string>>(
+      "--open", [this](const std::vector<std::string>& given) { this->openLines = Join(given); },
+      "line inside of the domain, or line between two materials, whose two sides have nodes of their own, such as "
+      "a crack or a contact; may be repeated")
+    ->type_name("NAME")
+    ->expected(1)
+    ->take_all();
+}
+
 namespace BoundaryInput
 {
 vtkSmartPointer<vtkAlgorithm> Open(
   const std::string& name, double size, const BoundaryOptions& options)
 {
   auto simplifier = vtkSmartPointer<vtkBoundarySimplifier>::New();
-  simplifier->SetInputConnection(DomainReader::Open(name, size, options.drawing)->GetOutputPort());
+  DomainReader::DrawingOptions drawing = options.drawing;
+  drawing.lines = options.lines + options.openLines;
+  simplifier->SetInputConnection(DomainReader::Open(name, size, drawing)->GetOutputPort());
+  simplifier->SetLines(drawing.lines);
   simplifier->SetPart(options.part);
   simplifier->SetMeshSize(size);
   simplifier->SetThinningLength(options.thinning);

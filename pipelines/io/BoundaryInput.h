@@ -27,11 +27,17 @@ struct BoundaryOptions
   std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.
   std::vector<std::string> kept;                     ///< AddKeptSide of vtkBoundarySimplifier.
   std::string curves;                                ///< Curves of vtkBoundarySimplifier.
+  std::string lines;                                 ///< Lines of vtkQuadMesher.
+  std::string openLines;                             ///< OpenLines of vtkQuadMesher.
 
   /** Adds the options --part, --drawing-layer, --thin-boundary, --smooth-boundary and --join-tolerance. */
   void AddTo(CLI::App& command);
   /** Adds --materials, and uses the materials of the domain by default. */
   void AddMaterialsTo(CLI::App& command);
+  /** Adds --line. */
+  void AddLinesTo(CLI::App& command);
+  /** Adds --open. */
+  void AddOpenLinesTo(CLI::App& command);
 };
 
 namespace BoundaryInput

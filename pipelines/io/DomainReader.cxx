@@ -161,6 +161,7 @@ vtkSmartPointer<vtkAlgorithm> OpenDrawing(
   reader->SetLayers(names);
   reader->SetJoinTolerance(options.joinTolerance);
   reader->SetClosedCurvesAreRegions(options.closedCurvesAreRegions);
+  reader->SetLines(options.lines);
   if (ending == ".step" || ending == ".stp" || ending == ".brep")
   {
     try

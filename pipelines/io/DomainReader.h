@@ -23,6 +23,7 @@ struct DrawingOptions
   double joinTolerance = 0.0;
   std::vector<std::string> layers;
   bool closedCurvesAreRegions = false;
+  std::string lines;
 };
 
 /**

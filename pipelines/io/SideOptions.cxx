@@ -61,6 +61,18 @@ void AddSizeNear(const std::string& text, vtkQuadMesher* mesher)
   }
   mesher->AddSizeNear(place[0], place[1], place[2], size[0], size[1]);
 }
+
+/** Adds the position of an entry of --node. */
+void AddNode(const std::string& text, vtkQuadMesher* mesher)
+{
+  std::vector<double> place = ReadNumbers(text);
+  if (place.size() != 2 && place.size() != 3)
+  {
+    throw PipelineRun::Error("--node: '" + text + "' is no position; give X,Y or X,Y,Z.");
+  }
+  place.resize(3, 0.0);
+  mesher->AddNode(place[0], place[1], place[2]);
+}
 }
 
 void SideOptions::AddTo(CLI::App& command)
@@ -97,6 +109,10 @@ void SideOptions::AddTo(CLI::App& command)
       "drawing has its curves")
     ->check(CLI::IsMember({ "auto" }))
     ->type_name("WORD");
+  add("--node", this->nodes,
+    "position where the mesh has a node, such as that of a load: the nearest node is moved there, by at "
+    "most one quad; repeatable",
+    "X,Y[,Z]");
   command.add_option("--min-size", this->minimumSize, "lower bound of target sizes, positive")
     ->check(NumberCheck::Positive());
   command.add_option("--max-size", this->maximumSize, "upper bound of target sizes, positive")
@@ -176,6 +192,10 @@ void SideOptions::SetOn(vtkQuadMesher* mesher) const
   for (const std::string& text : this->sizesNear)
   {
     AddSizeNear(text, mesher);
+  }
+  for (const std::string& text : this->nodes)
+  {
+    AddNode(text, mesher);
   }
   if (this->growth != 0.0)
   {

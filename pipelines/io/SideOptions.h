@@ -22,13 +22,14 @@ struct SideOptions
   std::string otherCurves;              ///< Of --curves.
   std::vector<std::string> sizesNear;   ///< Of --size-near.
   std::vector<std::string> sizesInside; ///< Of --size-in.
+  std::vector<std::string> nodes;       ///< Of --node.
   double minimumSize = 0.0;
   double maximumSize = 0.0;
   double growth = 0.0; ///< 0: not given.
 
   /**
    * Adds the options --count, --progression, --size-at, --size-near, --size-in, --growth, --min-size, --max-size,
-   * --periodic, --curve and --curves.
+   * --periodic, --curve, --curves and --node.
    */
   void AddTo(CLI::App& command);
   /** Returns whether sizes of parts of the domain are prescribed, or bounds. */

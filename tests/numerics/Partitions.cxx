@@ -1,5 +1,6 @@
 #include "Partitions.h"
 
+#include "CellsAlongLines.h"
 #include "RegionSides.h"
 
 #include <algorithm>
@@ -158,6 +159,22 @@ MaterialCells VoronoiCells(unsigned seed, int rows, bool haveInclusions)
     maker.Add("inclusion", inner);
   }
   return maker.Cells;
+}
+
+MaterialCells SquareWithLines(const std::vector<std::pair<std::string, Loop>>& lines)
+{
+  std::vector<SegmentOnLine> segments;
+  std::vector<std::string> names;
+  for (const auto& [name, points] : lines)
+  {
+    for (std::size_t i = 1; i < points.size(); ++i)
+    {
+      segments.push_back({ points[i - 1], points[i], static_cast<int>(names.size()) });
+    }
+    names.push_back(name);
+  }
+  const PlanarDomain square{ { { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } } } };
+  return CellsAlongLines(EdgesOf(square), { "plate" }, segments, names);
 }
 
 std::vector<DomainPart> PartsOf(const RegionSet& set)

@@ -37,6 +37,9 @@ MaterialCells ThreeSectors();
 /// request every second one has an inclusion of half its size.
 MaterialCells VoronoiCells(unsigned seed, int rows, bool haveInclusions = false);
 
+/// A square [−1, 1]² of the material `plate` with lines, by name.
+MaterialCells SquareWithLines(const std::vector<std::pair<std::string, Loop>>& lines);
+
 /// Returns the regions of a set with their sides.
 std::vector<DomainPart> PartsOf(const RegionSet& set);
 }

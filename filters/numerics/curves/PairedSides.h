@@ -4,11 +4,20 @@
 #include "RigidMotion.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace crossfield
 {
+/// A side of one piece on its loop.
+struct SideSpan
+{
+  int loop = 0;
+  double start = 0.0;  ///< Arc length.
+  double length = 0.0; ///< Up to the end of the side.
+};
+
 /// Two sides that are images of each other, with the domain on opposite sides of them: the second,
 /// followed backwards, is the image of the first. They are periodic sides, or both sides of an interface,
 /// whose motion is the identity.
@@ -19,21 +28,16 @@ struct PairedSides
   std::string name;         ///< What it is, for messages.
   RigidMotion motion;       ///< Takes the first to the second.
   bool isClosed = false;    ///< Both are whole loops, and any nodes may be the first ones.
-  bool isInterface = false; ///< Its nodes become one in the mesh of all regions (WeldRegions.h).
+  bool isInterface = false; ///< Its nodes become one in the mesh of all regions (WeldRegions.h),
+  bool isOpen = false;      ///< unless the interface is open.
+  /// Set for the two sides of a slit, which are on one loop and nearly at the same place: where they are.
+  std::optional<std::array<SideSpan, 2>> slit;
   /// Nodes of a mesh in order from the ends of the sides: one of the first side, and its image.
   std::vector<std::array<int, 2>> nodes;
 };
 
 /// Distance, relative to the diagonal, that one side may have from the image of the other.
 constexpr double PairReach = 1e-6;
-
-/// A side of one piece on its loop.
-struct SideSpan
-{
-  int loop = 0;
-  double start = 0.0;  ///< Arc length.
-  double length = 0.0; ///< Up to the end of the side.
-};
 
 /// Returns where a side is. Throws Error if it is closed or has several pieces.
 SideSpan FindSpan(const BoundarySides& sides, const std::vector<LoopArc>& loops, int side);

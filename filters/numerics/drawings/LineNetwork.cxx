@@ -238,4 +238,19 @@ std::vector<DrawnLine> MakeLineNetwork(const Drawing& drawing, double tolerance,
 {
   return std::move(NetworkMaker(drawing, tolerance, turn).Lines);
 }
+
+std::vector<DrawnLine> TakeLines(
+  const std::vector<std::string>& names, double tolerance, double turn, Drawing& drawing)
+{
+  Drawing taken;
+  const auto first = std::stable_partition(drawing.pieces.begin(), drawing.pieces.end(),
+    [&names](const DrawingPiece& piece)
+    { return std::find(names.begin(), names.end(), piece.name) == names.end(); });
+  taken.pieces.assign(first, drawing.pieces.end());
+  drawing.pieces.erase(first, drawing.pieces.end());
+  return taken.pieces.empty()
+    ? std::vector<DrawnLine>()
+    : MakeLineNetwork(
+        taken, tolerance > 0.0 ? tolerance : DefaultJoinTolerance(taken.pieces), turn);
+}
 }

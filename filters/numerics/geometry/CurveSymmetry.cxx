@@ -34,6 +34,8 @@ public:
       for (std::size_t i = 0; i < loop.size(); ++i)
       {
         sides.push_back({ loop[i], loop[(i + 1) % loop.size()] });
+        // A narrow notch up to the centre has images of its vertices without being there.
+        this->Middles.push_back(0.5 * (sides.back()[0] + sides.back()[1]));
       }
     }
     if (!sides.empty())
@@ -57,9 +59,13 @@ public:
     const Isometry inverse = map.Inverse();
     const auto isNear = [&](const Point& point)
     { return this->Sides->Find(point).squaredDistance <= this->Reach * this->Reach; };
+    const auto haveImages = [&](const std::vector<Point>& points)
+    {
+      return std::all_of(points.begin(), points.end(),
+        [&](const Point& point) { return isNear(map(point)) && isNear(inverse(point)); });
+    };
     return std::all_of(this->Circles.begin(), this->Circles.end(), hasImage) &&
-      std::all_of(this->Vertices.begin(), this->Vertices.end(),
-        [&](const Point& vertex) { return isNear(map(vertex)) && isNear(inverse(vertex)); });
+      haveImages(this->Vertices) && haveImages(this->Middles);
   }
 
   /// Returns the angles from the centre at which an image of one feature may be: those of the
@@ -89,6 +95,7 @@ public:
 private:
   std::vector<Circle> Circles;
   std::vector<Point> Vertices; ///< Of the other loops.
+  std::vector<Point> Middles;  ///< Of their sides.
   std::optional<SegmentSearch> Sides;
   Point Centre;
   double Reach;

@@ -91,6 +91,25 @@ double LoopArc::Nearest(const Point& place) const
 }
 
 //------------------------------------------------------------------------------
+double LoopArc::NearestOnPart(const Point& place, double start, double length) const
+{
+  double nearest = start;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t side = 0; side < this->Polyline.size(); ++side)
+  {
+    const double from = this->Starts[side];
+    const double to = this->Starts[side + 1];
+    const double distance = OffsetFromSegment(place, this->Polyline[side], this->End(side)).norm();
+    if (distance < smallest && this->Wrap(0.5 * (from + to) - start) < length)
+    {
+      smallest = distance;
+      nearest = from + NearestFraction(place, this->Polyline[side], this->End(side)) * (to - from);
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
 double LoopArc::Find(const Point& place, double reach) const
 {
   const double nearest = this->Nearest(place);

@@ -38,6 +38,9 @@ public:
   /// vertices.
   double Nearest(const Point& place) const;
 
+  /// Works as Nearest on the sides of the part of a length that starts at an arc length.
+  double NearestOnPart(const Point& place, double start, double length) const;
+
   /// Works as Nearest, but returns a negative number if the distance exceeds `reach`.
   double Find(const Point& place, double reach) const;
   /// Returns the arc lengths of those points that are at most `reach` away from the loop.

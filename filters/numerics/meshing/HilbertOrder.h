@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the only file that includes CGAL: an order of places in the plane.
+// Part of PlanarMesher.cxx: an order of places in the plane.
 #include "Parts.h"
 
 #include <CGAL/hilbert_sort.h> // with the random numbers of Boost that it uses

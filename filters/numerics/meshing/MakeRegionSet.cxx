@@ -13,6 +13,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -27,8 +29,14 @@ struct CellSide
   int from = 0;
   int to = 0;
   int cell = 0;
+  int next = 0;  ///< The next side of the polygon.
   int twin = -1; ///< The side of the other polygon; −1 on the outer boundary.
+  int line = -1; ///< The name of the line that it is on, an index in MaterialCells::lineNames.
+  bool isAlongLine = false; ///< In its direction, not against it.
 };
+
+/// Sides around a region or the whole, each ending where the next one starts.
+using SideLoop = std::vector<int>;
 
 bool IsBefore(const Point& a, const Point& b)
 {
@@ -46,10 +54,12 @@ public:
     this->RequireNames();
     this->CollectSides();
     this->RequireSharedPoints();
+    this->MarkLines();
     this->NumberRegions();
     this->FindNodes();
     this->FollowInterfaces();
     this->NameInterfaces();
+    this->FindCorners();
     this->FindOutlines();
   }
 
@@ -127,9 +137,12 @@ private:
       {
         std::reverse(corners.begin(), corners.end());
       }
-      for (std::size_t i = 0; i < corners.size(); ++i)
+      const auto first = static_cast<int>(this->Sides.size());
+      const auto count = static_cast<int>(corners.size());
+      for (int i = 0; i < count; ++i)
       {
-        this->Sides.push_back({ corners[i], corners[(i + 1) % corners.size()], cell });
+        const int next = (i + 1) % count;
+        this->Sides.push_back({ corners[Index(i)], corners[Index(next)], cell, first + next });
       }
     }
     std::vector<int> order(this->Sides.size());
@@ -159,48 +172,169 @@ private:
     }
   }
 
+  /// Marks the sides on lines; those on the outer boundary are none.
+  void MarkLines()
+  {
+    std::map<std::array<int, 2>, std::size_t>
+      edges; // with their line, by its points in its direction
+    for (std::size_t e = 0; e < this->Cells.lines.size(); ++e)
+    {
+      edges.emplace(this->Cells.lines[e].points, e);
+    }
+    for (CellSide& side : this->Sides)
+    {
+      const auto along = edges.find({ side.from, side.to });
+      const auto against = edges.find({ side.to, side.from });
+      const auto found = along == edges.end() ? against : along;
+      if (side.twin >= 0 && found != edges.end())
+      {
+        side.line = this->Cells.lines[found->second].name;
+        side.isAlongLine = found == along;
+      }
+    }
+  }
+
   /// Returns the region on the left of a side, −1 for no side.
   int RegionAt(int side) const
   {
     return side < 0 ? -1 : this->RegionOf[Index(this->Sides[Index(side)].cell)];
   }
-  bool IsOnLine(int side) const
+  /// Returns whether a side is on the boundary of its region.
+  bool IsOnBoundary(int side) const
   {
-    return this->RegionAt(side) != this->RegionAt(this->Sides[Index(side)].twin);
+    const CellSide& one = this->Sides[Index(side)];
+    return one.line >= 0 || this->RegionAt(side) != this->RegionAt(one.twin);
   }
   bool IsInterface(int side) const
   {
-    return this->Sides[Index(side)].twin >= 0 && this->IsOnLine(side);
+    return this->Sides[Index(side)].twin >= 0 && this->IsOnBoundary(side);
+  }
+  bool IsSlit(int side) const
+  {
+    const CellSide& one = this->Sides[Index(side)];
+    return one.line >= 0 && this->RegionAt(side) == this->RegionAt(one.twin);
   }
 
-  /// Returns the loops of the sides for which `belongs` is true. Throws Error if two of them start at
-  /// one point.
+  /// Returns the loops of the sides for which `belongs` is true, which separate cells.
   template <class Belongs>
-  std::vector<Loop> LoopsOf(const Belongs& belongs, const std::string& what) const
+  std::vector<SideLoop> LoopsOf(const Belongs& belongs) const
   {
-    std::map<int, int> startingAt;
-    for (int side = 0; side < static_cast<int>(this->Sides.size()); ++side)
+    std::vector<bool> done(this->Sides.size(), false);
+    std::vector<SideLoop> loops;
+    for (int start = 0; start < static_cast<int>(this->Sides.size()); ++start)
     {
-      const int from = this->Sides[Index(side)].from;
-      if (belongs(side) && !startingAt.emplace(from, side).second)
+      if (done[Index(start)] || !belongs(start))
       {
-        throw Error(what + " touches itself at " + Describe(this->At(from)) +
-          "; separate the parts that meet there, or join them along an edge.");
+        continue;
       }
-    }
-    std::vector<Loop> loops;
-    while (!startingAt.empty())
-    {
       loops.emplace_back();
-      for (auto next = startingAt.begin(); next != startingAt.end();)
+      for (int side = start; !done[Index(side)];)
       {
-        const CellSide& side = this->Sides[Index(next->second)];
-        loops.back().push_back(this->At(side.from));
-        startingAt.erase(next);
-        next = startingAt.find(side.to);
+        done[Index(side)] = true;
+        loops.back().push_back(side);
+        side = this->Sides[Index(side)].next;
+        while (!belongs(side))
+        {
+          side = this->Sides[Index(this->Sides[Index(side)].twin)].next;
+        }
       }
     }
     return loops;
+  }
+
+  /// Throws Error if loops visit a point several times that is not on a slit.
+  void RequireSimple(const std::vector<SideLoop>& loops, const std::string& what) const
+  {
+    std::map<int, int> visits;
+    std::map<int, bool> isOnSlit;
+    for (const SideLoop& loop : loops)
+    {
+      for (const int side : loop)
+      {
+        const CellSide& one = this->Sides[Index(side)];
+        ++visits[one.from];
+        for (const int point : { one.from, one.to })
+        {
+          isOnSlit[point] = isOnSlit[point] || this->IsSlit(side);
+        }
+      }
+    }
+    for (const auto& [point, count] : visits)
+    {
+      if (count > 1 && !isOnSlit[point])
+      {
+        throw Error(what + " touches itself at " + Describe(this->At(point)) +
+          "; separate the parts that meet there, or join them along an edge.");
+      }
+    }
+  }
+
+  Loop PointsOf(const SideLoop& loop) const
+  {
+    Loop points;
+    std::transform(loop.begin(), loop.end(), std::back_inserter(points),
+      [this](int side) { return this->At(this->Sides[Index(side)].from); });
+    return points;
+  }
+
+  /// Returns the place of the point between two sides of a loop that is visited several times: it is moved into
+  /// the angle between them, or along the one that is not on a slit.
+  Point Separated(int incoming, int outgoing, double width) const
+  {
+    constexpr double Sharpest = 0.25; // sine from which points are moved farther than that
+    const Point place = this->At(this->Sides[Index(outgoing)].from);
+    const Point out = (this->At(this->Sides[Index(outgoing)].to) - place).normalized();
+    const Point back = (this->At(this->Sides[Index(incoming)].from) - place).normalized();
+    double angle = std::atan2(Cross(out, back), out.dot(back));
+    angle += angle <= 0.0 ? 2.0 * Pi : 0.0;
+    if (this->IsSlit(incoming) != this->IsSlit(outgoing))
+    {
+      const Point& along = this->IsSlit(incoming) ? out : back;
+      return place + 0.5 * width / std::max(Sharpest, std::abs(std::sin(angle))) * along;
+    }
+    const Point middle = Eigen::Rotation2Dd(0.5 * angle) * out;
+    return place + 0.5 * width / std::max(Sharpest, std::sin(0.5 * angle)) * middle;
+  }
+
+  /// Returns the polygons of the loops of a region, with slits open.
+  std::vector<Loop> OpenPolygons(const std::vector<SideLoop>& loops) const
+  {
+    std::map<int, int> visits;
+    std::map<int, double> shortest; // edge at a point
+    Eigen::AlignedBox2d box;
+    for (const SideLoop& loop : loops)
+    {
+      for (const int side : loop)
+      {
+        const CellSide& one = this->Sides[Index(side)];
+        ++visits[one.from];
+        box.extend(this->At(one.from));
+        for (const int point : { one.from, one.to })
+        {
+          const double length = (this->At(one.to) - this->At(one.from)).norm();
+          const auto found = shortest.emplace(point, length).first;
+          found->second = std::min(found->second, length);
+        }
+      }
+    }
+    std::vector<Loop> polygons;
+    for (const SideLoop& loop : loops)
+    {
+      polygons.push_back(this->PointsOf(loop));
+      for (std::size_t i = 0; i < loop.size(); ++i)
+      {
+        const int point = this->Sides[Index(loop[i])].from;
+        if (visits[point] > 1)
+        {
+          constexpr double PartOfEdge = 0.1; // or the slit would change the directions of its edges
+          const double width =
+            std::min(SlitWidth * box.diagonal().norm(), PartOfEdge * shortest[point]);
+          polygons.back()[i] =
+            this->Separated(loop[(i + loop.size() - 1) % loop.size()], loop[i], width);
+        }
+      }
+    }
+    return polygons;
   }
 
   /// Finds the connected cells of each material, and their domains.
@@ -210,7 +344,7 @@ private:
     UnionFind sets(count);
     for (const CellSide& side : this->Sides)
     {
-      if (side.twin >= 0)
+      if (side.twin >= 0 && side.line < 0)
       {
         const int other = this->Sides[Index(side.twin)].cell;
         if (this->Cells.materials[Index(side.cell)] == this->Cells.materials[Index(other)])
@@ -227,30 +361,52 @@ private:
       this->RegionOf[Index(cell)] = set;
       members[set].push_back(cell);
     }
-    std::vector<std::pair<Region, int>> found;
+    struct Found
+    {
+      Region region;
+      int set = 0;
+      std::vector<SideLoop> sides; ///< Of the loops of its domain.
+    };
+    std::vector<Found> found;
     for (const auto& [set, cells] : members)
     {
       const int material = this->Cells.materials[Index(cells.front())];
-      const std::string& name = this->Cells.names[Index(material)];
-      const int region = set;
-      found.push_back({ { MakePlanarDomain(this->LoopsOf([&](int side)
-                            { return this->RegionAt(side) == region && this->IsOnLine(side); },
-                            "The material '" + name + "'")),
-                          material },
-        region });
+      const int number = set;
+      const std::vector<SideLoop> loops = this->LoopsOf(
+        [&](int side) { return this->RegionAt(side) == number && this->IsOnBoundary(side); });
+      this->RequireSimple(loops, "The material '" + this->Cells.names[Index(material)] + "'");
+      const std::vector<Loop> polygons = this->OpenPolygons(loops);
+      std::map<std::array<double, 2>, int> startingAt;
+      for (std::size_t l = 0; l < loops.size(); ++l)
+      {
+        for (std::size_t i = 0; i < loops[l].size(); ++i)
+        {
+          startingAt[{ polygons[l][i].x(), polygons[l][i].y() }] = loops[l][i];
+        }
+      }
+      found.push_back({ { MakePlanarDomain(polygons), material, {} }, set, {} });
+      for (const Loop& loop : found.back().region.domain.loops)
+      {
+        SideLoop& sides = found.back().sides.emplace_back();
+        std::transform(loop.begin(), loop.end(), std::back_inserter(sides),
+          [&startingAt](const Point& place) {
+            return startingAt.at({ place.x(), place.y() });
+          });
+      }
     }
     std::sort(found.begin(), found.end(),
-      [](const std::pair<Region, int>& a, const std::pair<Region, int>& b)
+      [](const Found& a, const Found& b)
       {
-        return a.first.material != b.first.material
-          ? a.first.material < b.first.material
-          : IsBefore(a.first.domain.loops[0][0], b.first.domain.loops[0][0]);
+        return a.region.material != b.region.material
+          ? a.region.material < b.region.material
+          : IsBefore(a.region.domain.loops[0][0], b.region.domain.loops[0][0]);
       });
     std::map<int, int> number;
-    for (auto& [region, set] : found)
+    for (Found& one : found)
     {
-      number[set] = static_cast<int>(this->Set.regions.size());
-      this->Set.regions.push_back(std::move(region));
+      number[one.set] = static_cast<int>(this->Set.regions.size());
+      this->Set.regions.push_back(std::move(one.region));
+      this->SidesOfRegions.push_back(std::move(one.sides));
     }
     for (int& region : this->RegionOf)
     {
@@ -261,34 +417,45 @@ private:
   /// Finds the points where pieces end.
   void FindNodes()
   {
-    std::vector<std::vector<int>> lines(this->Cells.points.size()); // sides of each line at a point
+    this->LinesAt.resize(this->Cells.points.size());
     std::vector<bool> isOnBoundary(this->Cells.points.size(), false);
     for (int side = 0; side < static_cast<int>(this->Sides.size()); ++side)
     {
       const CellSide& one = this->Sides[Index(side)];
-      if (this->IsOnLine(side) && one.twin < side) // once for each line
+      if (this->IsOnBoundary(side) && one.twin < side) // once for each line
       {
-        lines[Index(one.from)].push_back(side);
-        lines[Index(one.to)].push_back(side);
-        isOnBoundary[Index(one.from)] = isOnBoundary[Index(one.from)] || one.twin < 0;
-        isOnBoundary[Index(one.to)] = isOnBoundary[Index(one.to)] || one.twin < 0;
+        for (const int point : { one.from, one.to })
+        {
+          this->LinesAt[Index(point)].push_back(side);
+          isOnBoundary[Index(point)] = isOnBoundary[Index(point)] || one.twin < 0;
+        }
       }
     }
-    this->IsNode.assign(this->Cells.points.size(), false);
-    for (std::size_t point = 0; point < lines.size(); ++point)
+    std::vector<std::pair<RegionNode, int>> found;
+    for (int point = 0; point < static_cast<int>(this->LinesAt.size()); ++point)
     {
-      this->LinesAt.push_back(lines[point].size());
-      const bool meets = std::any_of(lines[point].begin(), lines[point].end(),
-        [this](int side) { return this->IsInterface(side); });
-      if (meets &&
-        (lines[point].size() != 2 || this->HasCorner(static_cast<int>(point), lines[point])))
+      const std::vector<int>& lines = this->LinesAt[Index(point)];
+      const bool meets = std::any_of(
+        lines.begin(), lines.end(), [this](int side) { return this->IsInterface(side); });
+      if (meets && (lines.size() != 2 || this->HasCorner(point, lines) || this->HasEnd(lines)))
       {
-        this->IsNode[point] = true;
-        this->Set.nodes.push_back({ this->Cells.points[point], isOnBoundary[point] });
+        found.push_back({ { this->At(point), isOnBoundary[Index(point)], {} }, point });
       }
     }
-    std::sort(this->Set.nodes.begin(), this->Set.nodes.end(),
-      [](const RegionNode& a, const RegionNode& b) { return IsBefore(a.place, b.place); });
+    std::sort(found.begin(), found.end(),
+      [](const auto& a, const auto& b) { return IsBefore(a.first.place, b.first.place); });
+    this->NodeAt.assign(this->Cells.points.size(), -1);
+    for (auto& [node, point] : found)
+    {
+      this->NodeAt[Index(point)] = static_cast<int>(this->Set.nodes.size());
+      this->Set.nodes.push_back(std::move(node));
+    }
+  }
+
+  /// Returns whether a line ends, or another begins, between two sides.
+  bool HasEnd(const std::vector<int>& two) const
+  {
+    return this->Sides[Index(two[0])].line != this->Sides[Index(two[1])].line;
   }
 
   /// Returns whether the two sides at a point make a corner.
@@ -302,70 +469,159 @@ private:
     return IsCorner(AngleBetween(-away(two[0]), away(two[1])));
   }
 
-  /// Removes the sides from a point up to the next node, or back to it, and returns their piece.
-  InterfacePiece Follow(
-    const std::array<int, 2>& regions, int point, std::map<int, int>& sides) const
+  /// A piece with the sides on its left.
+  struct FollowedPiece
   {
     InterfacePiece piece;
-    piece.regions = regions;
-    do
+    SideLoop sides;
+  };
+
+  /// Returns the piece from a side up to the next node, or back to its start.
+  FollowedPiece Follow(int start) const
+  {
+    FollowedPiece followed;
+    followed.sides.push_back(start);
+    const int first = this->Sides[Index(start)].from;
+    int point = this->Sides[Index(start)].to;
+    while (this->NodeAt[Index(point)] < 0 && point != first)
     {
-      const auto side = sides.find(point);
-      piece.line.push_back(this->At(point));
-      point = this->Sides[Index(side->second)].to;
-      sides.erase(side);
-    } while (!this->IsNode[Index(point)] && sides.count(point) > 0);
-    // A closed line may have one corner.
-    piece.isClosed = this->At(point) == piece.line.front() &&
-      (!this->IsNode[Index(point)] || this->LinesAt[Index(point)] == 2);
-    if (!piece.isClosed)
-    {
-      piece.line.push_back(this->At(point));
+      for (const int side : this->LinesAt[Index(point)])
+      {
+        const int last = followed.sides.back();
+        if (side != last && side != this->Sides[Index(last)].twin)
+        {
+          followed.sides.push_back(
+            this->Sides[Index(side)].from == point ? side : this->Sides[Index(side)].twin);
+          break;
+        }
+      }
+      point = this->Sides[Index(followed.sides.back())].to;
     }
-    return piece;
+    // A closed line may have one corner.
+    followed.piece.isClosed = point == first && this->LinesAt[Index(point)].size() == 2;
+    this->Orient(followed.sides);
+    followed.piece.regions = { this->RegionAt(followed.sides.front()),
+      this->RegionAt(this->Sides[Index(followed.sides.front())].twin) };
+    followed.piece.line = this->PointsOf(followed.sides);
+    if (!followed.piece.isClosed)
+    {
+      followed.piece.line.push_back(this->At(this->Sides[Index(followed.sides.back())].to));
+    }
+    return followed;
   }
 
-  /// Collects the pieces of interfaces, each along the region with the lower number.
+  /// Turns a piece so that the region with the lower number is on its left, or in the direction of its line.
+  void Orient(SideLoop& sides) const
+  {
+    const int side = sides.front();
+    const int left = this->RegionAt(side);
+    const int right = this->RegionAt(this->Sides[Index(side)].twin);
+    const auto along = std::count_if(
+      sides.begin(), sides.end(), [this](int one) { return this->Sides[Index(one)].isAlongLine; });
+    if (left > right || (left == right && 2 * along < static_cast<std::ptrdiff_t>(sides.size())))
+    {
+      std::reverse(sides.begin(), sides.end());
+      std::transform(sides.begin(), sides.end(), sides.begin(),
+        [this](int one) { return this->Sides[Index(one)].twin; });
+    }
+  }
+
+  /// Collects the pieces of interfaces, and which of them the sides of regions are on.
   void FollowInterfaces()
   {
-    std::map<std::array<int, 2>, std::map<int, int>> startingAt; // per pair of regions
+    std::vector<int> starts; // at nodes first, then from left to right, for closed lines
     for (int side = 0; side < static_cast<int>(this->Sides.size()); ++side)
     {
-      const std::array<int, 2> regions = { this->RegionAt(side),
-        this->RegionAt(this->Sides[Index(side)].twin) };
-      if (this->IsInterface(side) && regions[0] < regions[1])
+      if (this->IsInterface(side))
       {
-        startingAt[regions][this->Sides[Index(side)].from] = side;
+        starts.push_back(side);
       }
     }
-    for (auto& [regions, sides] : startingAt)
+    const auto keyOf = [this](int side)
     {
-      while (!sides.empty())
+      const CellSide& one = this->Sides[Index(side)];
+      const Point& from = this->At(one.from);
+      const Point& to = this->At(one.to);
+      return std::array{ this->NodeAt[Index(one.from)] < 0 ? 1.0 : 0.0,
+        this->RegionAt(side) > this->RegionAt(one.twin) ? 1.0 : 0.0, from.x(), from.y(), to.x(),
+        to.y() };
+    };
+    std::sort(starts.begin(), starts.end(), [&](int a, int b) { return keyOf(a) < keyOf(b); });
+    std::vector<bool> done(this->Sides.size(), false);
+    std::vector<FollowedPiece> pieces;
+    for (const int start : starts)
+    {
+      if (done[Index(start)])
       {
-        auto first = std::find_if(sides.begin(), sides.end(),
-          [this](const std::pair<const int, int>& one) { return this->IsNode[Index(one.first)]; });
-        if (first == sides.end()) // only closed lines are left
-        {
-          first = std::min_element(sides.begin(), sides.end(),
-            [this](const std::pair<const int, int>& a, const std::pair<const int, int>& b)
-            { return IsBefore(this->At(a.first), this->At(b.first)); });
-        }
-        this->Set.interfaces.push_back(this->Follow(regions, first->first, sides));
+        continue;
+      }
+      pieces.push_back(this->Follow(start));
+      for (const int side : pieces.back().sides)
+      {
+        done[Index(side)] = done[Index(this->Sides[Index(side)].twin)] = true;
       }
     }
-    std::stable_sort(this->Set.interfaces.begin(), this->Set.interfaces.end(),
-      [](const InterfacePiece& a, const InterfacePiece& b)
-      { return a.regions != b.regions ? a.regions < b.regions : IsBefore(a.line[0], b.line[0]); });
+    std::stable_sort(pieces.begin(), pieces.end(),
+      [](const FollowedPiece& a, const FollowedPiece& b)
+      {
+        return a.piece.regions != b.piece.regions ? a.piece.regions < b.piece.regions
+                                                  : IsBefore(a.piece.line[0], b.piece.line[0]);
+      });
+    std::vector<int> pieceOf(this->Sides.size(), -1); // as in Region::pieces
+    for (FollowedPiece& one : pieces)
+    {
+      const auto number = static_cast<int>(this->Set.interfaces.size());
+      for (const int side : one.sides)
+      {
+        pieceOf[Index(side)] = 2 * number;
+        pieceOf[Index(this->Sides[Index(side)].twin)] = 2 * number + 1;
+      }
+      this->LineOf.push_back(this->Sides[Index(one.sides.front())].line);
+      this->Set.interfaces.push_back(std::move(one.piece));
+    }
+    for (std::size_t r = 0; r < this->Set.regions.size(); ++r)
+    {
+      for (const SideLoop& sides : this->SidesOfRegions[r])
+      {
+        std::vector<int>& ofLoop = this->Set.regions[r].pieces.emplace_back();
+        std::transform(sides.begin(), sides.end(), std::back_inserter(ofLoop),
+          [&pieceOf](int side) { return pieceOf[Index(side)]; });
+      }
+    }
+  }
+
+  /// Finds the corners of regions at nodes.
+  void FindCorners()
+  {
+    for (std::size_t r = 0; r < this->SidesOfRegions.size(); ++r)
+    {
+      for (std::size_t l = 0; l < this->SidesOfRegions[r].size(); ++l)
+      {
+        const SideLoop& sides = this->SidesOfRegions[r][l];
+        for (std::size_t i = 0; i < sides.size(); ++i)
+        {
+          const int node = this->NodeAt[Index(this->Sides[Index(sides[i])].from)];
+          if (node >= 0)
+          {
+            this->Set.nodes[Index(node)].corners.push_back({ r, l, i });
+          }
+        }
+      }
+    }
   }
 
   void NameInterfaces()
   {
     std::map<std::string, int> counts;
-    for (InterfacePiece& piece : this->Set.interfaces)
+    for (std::size_t p = 0; p < this->Set.interfaces.size(); ++p)
     {
+      InterfacePiece& piece = this->Set.interfaces[p];
       const auto nameOf = [&](int region)
       { return this->Set.materials[Index(this->Set.regions[Index(region)].material)]; };
-      piece.name = piece.side = nameOf(piece.regions[0]) + "+" + nameOf(piece.regions[1]);
+      const int line = this->LineOf[p];
+      piece.name = piece.side = line >= 0
+        ? this->Cells.lineNames[Index(line)]
+        : nameOf(piece.regions[0]) + "+" + nameOf(piece.regions[1]);
       ++counts[piece.name];
     }
     std::map<std::string, int> numbers;
@@ -381,15 +637,22 @@ private:
 
   void FindOutlines()
   {
-    this->Set.outlines = SplitParts(
-      this->LoopsOf([this](int side) { return this->Sides[Index(side)].twin < 0; }, "The domain"));
+    const std::vector<SideLoop> loops =
+      this->LoopsOf([this](int side) { return this->Sides[Index(side)].twin < 0; });
+    this->RequireSimple(loops, "The domain");
+    std::vector<Loop> polygons;
+    std::transform(loops.begin(), loops.end(), std::back_inserter(polygons),
+      [this](const SideLoop& loop) { return this->PointsOf(loop); });
+    this->Set.outlines = SplitParts(polygons);
   }
 
   const MaterialCells& Cells;
   std::vector<CellSide> Sides;
-  std::vector<int> RegionOf;        ///< Per cell.
-  std::vector<bool> IsNode;         ///< Per point.
-  std::vector<std::size_t> LinesAt; ///< Number of lines at each point.
+  std::vector<int> RegionOf;                         ///< Per cell.
+  std::vector<std::vector<SideLoop>> SidesOfRegions; ///< Per region, of the loops of its domain.
+  std::vector<int> NodeAt;                           ///< Per point, its node; −1 if it is none.
+  std::vector<std::vector<int>> LinesAt;             ///< Per point, a side of each line there.
+  std::vector<int> LineOf;                           ///< Per piece of an interface, CellSide::line.
 };
 }
 

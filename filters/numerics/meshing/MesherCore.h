@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the only file that includes CGAL: the core of the lattice and the
+// Part of PlanarMesher.cxx: the core of the lattice and the
 // triangulation around it.
 #include "LatticeCore.h"
 #include "MesherTriangulation.h"

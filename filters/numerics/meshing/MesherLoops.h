@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the only file that includes CGAL: constrained triangulation of loops.
+// Part of PlanarMesher.cxx: constrained triangulation of loops.
 #include "Error.h"
 #include "MesherTriangulation.h"
 #include "TriangleMesh.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the only file that includes CGAL: the choice of points to insert.
+// Part of PlanarMesher.cxx: the choice of points to insert.
 #include "MesherTriangulation.h"
 #include "PlanarDomain.h"
 #include "SizeField.h"

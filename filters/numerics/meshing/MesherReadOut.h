@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the only file that includes CGAL: the mesh from the triangulation.
+// Part of PlanarMesher.cxx: the mesh from the triangulation.
 #include "HilbertOrder.h"
 #include "LatticeCore.h"
 #include "MesherTriangulation.h"

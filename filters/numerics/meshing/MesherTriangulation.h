@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the only file that includes CGAL.
+// Part of PlanarMesher.cxx.
 #include "Plane.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

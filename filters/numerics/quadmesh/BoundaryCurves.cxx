@@ -20,6 +20,17 @@ CurvePlace BoundaryCurves::Nearest(int loop, const Point& point) const
   return { loop, this->Curved.Nearest(this->ArcOf(loop), Index(loop), point) };
 }
 
+CurvePlace BoundaryCurves::NearestOn(
+  const PairedSides& pair, std::size_t side, int loop, const Point& point) const
+{
+  if (!pair.slit)
+  {
+    return this->Nearest(loop, point);
+  }
+  const SideSpan& span = (*pair.slit)[side];
+  return { loop, this->ArcOf(loop).NearestOnPart(point, span.start, span.length) };
+}
+
 Point BoundaryCurves::Tangent(const CurvePlace& place) const
 {
   return this->Curved.Derivative(this->ArcOf(place.loop), Index(place.loop), place.at);

@@ -2,6 +2,7 @@
 
 #include "CurvedLoops.h"
 #include "LoopArc.h"
+#include "PairedSides.h"
 
 #include <vector>
 
@@ -27,6 +28,9 @@ public:
   /// Returns the position on a loop nearest to a point; the vertex if two adjacent edges are
   /// equally near. Cost: linear in the vertices of the loop.
   CurvePlace Nearest(int loop, const Point& point) const;
+  /// Returns the position on a side of a pair, the first (0) or second (1), nearest to a point.
+  CurvePlace NearestOn(
+    const PairedSides& pair, std::size_t side, int loop, const Point& point) const;
   /// Returns the derivative of At by the arc length; on a polyline its unit tangent, at a vertex that
   /// of the edge after it.
   Point Tangent(const CurvePlace& place) const;

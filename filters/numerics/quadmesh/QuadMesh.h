@@ -19,7 +19,9 @@ struct QuadPoint
   bool fixed = false;
   /// Set for points that divide a closed side as prescribed and may turn along it together.
   bool turns = false;
-  int cone = -1;        ///< Index in SeamlessMap::cones, −1 if it is none.
+  bool held =
+    false;       ///< Set for fixed points that stay where they are even if singularities may move.
+  int cone = -1; ///< Index in SeamlessMap::cones, −1 if it is none.
   int quarterIndex = 0; ///< Requested quarter index: that of the cone, else 0.
   int valence = 0;      ///< Number of quads.
   /// Target size over that of the mesh: e^H unless SetTargetLengths changes it.

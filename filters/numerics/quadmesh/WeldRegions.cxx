@@ -39,17 +39,21 @@ void JoinEqualNames(std::vector<std::string>& names, std::vector<QuadBoundaryEdg
 }
 
 /// Sorts boundary edges so that they follow each other around the loops of the whole, with the kinds and
-/// numbers of these: outer loops by decreasing area, then inner ones from left to right. Edges of
-/// interfaces come last, in their order.
+/// numbers of these: outer loops by decreasing area, then inner ones, and those around open lines, from left
+/// to right. Edges of interfaces come last, in their order.
 void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryEdge>& boundary)
 {
   struct Chain
   {
     std::vector<QuadBoundaryEdge> edges;
     double area = 0.0;
+    double length = 0.0;
     Point leftmost = Point::Zero();
+
+    /// An open line has an area of rounding errors.
+    bool IsOuter() const { return this->area > 1e-12 * this->length * this->length; }
   };
-  std::map<int, std::size_t> startingAt;
+  std::multimap<int, std::size_t> startingAt; // several where loops touch
   std::vector<QuadBoundaryEdge> interfaces;
   for (std::size_t e = 0; e < boundary.size(); ++e)
   {
@@ -59,7 +63,7 @@ void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryE
     }
     else
     {
-      startingAt[boundary[e].points[0]] = e;
+      startingAt.emplace(boundary[e].points[0], e);
     }
   }
   std::vector<Chain> chains;
@@ -74,6 +78,7 @@ void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryE
       const Point from = points[Index(edge.points[0])].InPlane();
       const Point to = points[Index(edge.points[1])].InPlane();
       chain.area += 0.5 * Cross(from, to);
+      chain.length += (to - from).norm();
       chain.leftmost =
         chain.edges.empty() || isBefore(from, chain.leftmost) ? from : chain.leftmost;
       chain.edges.push_back(edge);
@@ -85,15 +90,17 @@ void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryE
   std::stable_sort(chains.begin(), chains.end(),
     [&](const Chain& a, const Chain& b)
     {
-      const bool bothAreInner = a.area < 0.0 && b.area < 0.0;
-      return bothAreInner ? isBefore(a.leftmost, b.leftmost) : a.area > b.area;
+      const bool bothAreInner = !a.IsOuter() && !b.IsOuter();
+      return bothAreInner            ? isBefore(a.leftmost, b.leftmost)
+        : a.IsOuter() != b.IsOuter() ? a.IsOuter()
+                                     : a.area > b.area;
     });
   boundary.clear();
   for (std::size_t c = 0; c < chains.size(); ++c)
   {
     for (QuadBoundaryEdge edge : chains[c].edges)
     {
-      edge.kind = chains[c].area > 0.0 ? BoundaryKind::Outer : BoundaryKind::Inner;
+      edge.kind = chains[c].IsOuter() ? BoundaryKind::Outer : BoundaryKind::Inner;
       edge.id = static_cast<int>(c);
       boundary.push_back(edge);
     }
@@ -114,6 +121,10 @@ void WeldRegions(QuadMesh& mesh)
     if (!pair.isInterface)
     {
       periodic.push_back(pair);
+      continue;
+    }
+    if (pair.isOpen)
+    {
       continue;
     }
     firstSides.insert(pair.first);
@@ -172,9 +183,10 @@ void WeldRegions(QuadMesh& mesh)
   }
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    if (isWelded[p])
+    QuadPoint& point = points[p];
+    const bool isEnd = !isOnBoundary[p] && point.curve.loop >= 0; // of a line inside of a region
+    if (isWelded[p] || isEnd)
     {
-      QuadPoint& point = points[p];
       point.cone = -1;
       point.quarterIndex = (isOnBoundary[p] ? 2 : 4) - point.valence;
       point.curve = isOnBoundary[p] ? point.curve : CurvePlace();

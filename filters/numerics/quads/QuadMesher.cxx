@@ -9,6 +9,7 @@
 #include "CountCheck.h"
 #include "Error.h"
 #include "GradedArcs.h"
+#include "HeldNodes.h"
 #include "MemoryBudget.h"
 #include "MeshGrade.h"
 #include "MoveInside.h"
@@ -139,6 +140,8 @@ public:
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     this->PairNodes(result.mesh);
+    PlaceNodes(this->Curves, this->Options.nodes, result.mesh);
+    MatchPairs(this->Curves, result.mesh);
     this->NameEdges(result.mesh);
     result.blocks = FindBlocks(result.mesh);
     result.layoutSeconds += stopwatch.Lap();

@@ -32,8 +32,9 @@ struct QuadOptions
   /// With interfaces, the symmetries of what all regions cover, the identity first; otherwise those of the domain
   /// are used.
   std::vector<Isometry> symmetries;
-  bool hold = false;  ///< Keeps inner singularities at their positions in smoothing.
-  bool smooth = true; ///< If false, points keep their positions in the map (draft quads).
+  std::vector<Point> nodes; ///< Places where the mesh has nodes.
+  bool hold = false;        ///< Keeps inner singularities at their positions in smoothing.
+  bool smooth = true;       ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.
   bool coarse = false;
 };

@@ -17,6 +17,7 @@ class PartEnds
 public:
   PartEnds(const MeshBoundary& curves, const BoundarySides& sides, const PairedSides& pair)
     : Curves(curves)
+    , Pair(pair)
     , First(FindSpan(sides, curves.GetArcs(), pair.first))
     , Second(FindSpan(sides, curves.GetArcs(), pair.second))
   {
@@ -87,14 +88,14 @@ private:
   void Add(const Point& place, const Point& image)
   {
     const double onFirst =
-      this->OffsetOf(this->First, this->Curves.Nearest(this->First.loop, place));
+      this->OffsetOf(this->First, this->Curves.NearestOn(this->Pair, 0, this->First.loop, place));
     const double rounding = 10.0 * PairReach * this->Curves.Length(this->First.loop);
     if (std::none_of(this->OnFirst.begin(), this->OnFirst.end(),
           [&](double other) { return std::abs(other - onFirst) <= rounding; }))
     {
       this->OnFirst.push_back(onFirst);
-      this->OnSecond.push_back(
-        this->OffsetOf(this->Second, this->Curves.Nearest(this->Second.loop, image)));
+      this->OnSecond.push_back(this->OffsetOf(
+        this->Second, this->Curves.NearestOn(this->Pair, 1, this->Second.loop, image)));
     }
   }
 
@@ -105,6 +106,7 @@ private:
   }
 
   const MeshBoundary& Curves;
+  const PairedSides& Pair;
   const SideSpan First;
   const SideSpan Second;
   std::vector<double> OnFirst; ///< Arc lengths from the start of the side.

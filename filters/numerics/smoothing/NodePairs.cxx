@@ -15,11 +15,12 @@ namespace
 /// times that of the sides.
 constexpr double SamePlace = 10.0 * PairReach;
 
-/// Moves a point along the boundary to the position halfway to the one nearest to `place`.
-void MoveHalfway(const BoundaryCurves& curves, const Point& place, QuadPoint& point)
+/// Moves the first point of a pair along its side to the position halfway to the one nearest to `place`.
+void MoveHalfway(
+  const BoundaryCurves& curves, const PairedSides& pair, const Point& place, QuadPoint& point)
 {
   const double loop = curves.Length(point.curve.loop);
-  const double length = curves.Nearest(point.curve.loop, place).at - point.curve.at;
+  const double length = curves.NearestOn(pair, 0, point.curve.loop, place).at - point.curve.at;
   point.curve.at += 0.5 * (length - loop * std::round(length / loop));
   point.MoveTo(curves.At(point.curve));
 }
@@ -79,22 +80,27 @@ void PairAround(const BoundaryCurves& curves, const QuadMesh& mesh, const std::v
 }
 
 void MatchPair(
-  const BoundaryCurves& curves, const RigidMotion& motion, QuadPoint& first, QuadPoint& second)
+  const BoundaryCurves& curves, const PairedSides& pair, QuadPoint& first, QuadPoint& second)
 {
+  const RigidMotion& motion = pair.motion;
+  if (pair.slit && first.fixed && second.fixed)
+  {
+    return; // ends of a slit, which are apart
+  }
   const double distance = (motion(first.InPlane()) - second.InPlane()).norm();
   const bool isNear = distance <= SamePlace * curves.Length(first.curve.loop);
   if (second.fixed && !first.fixed)
   {
     first.MoveTo(motion.Inverse()(second.InPlane()));
-    first.curve = curves.Nearest(first.curve.loop, first.InPlane());
+    first.curve = curves.NearestOn(pair, 0, first.curve.loop, first.InPlane());
   }
   else if (first.fixed == second.fixed && !isNear)
   {
-    MoveHalfway(curves, motion.Inverse()(second.InPlane()), first);
+    MoveHalfway(curves, pair, motion.Inverse()(second.InPlane()), first);
   }
   first.fixed = second.fixed = first.fixed || second.fixed;
   second.MoveTo(motion(first.InPlane()));
-  second.curve = curves.Nearest(second.curve.loop, second.InPlane());
+  second.curve = curves.NearestOn(pair, 1, second.curve.loop, second.InPlane());
 }
 }
 
@@ -135,7 +141,7 @@ void MatchPairs(const BoundaryCurves& curves, QuadMesh& mesh)
       {
         if (first != second)
         {
-          MatchPair(curves, pair.motion, mesh.points[first], mesh.points[second]);
+          MatchPair(curves, pair, mesh.points[first], mesh.points[second]);
         }
       }
     }

@@ -100,7 +100,7 @@ void QuadEnergy::FindImages(const std::vector<bool>& moves)
     {
       if (moves[first] && moves[second] && first != second)
       {
-        this->Images.push_back({ first, second, motion, motion.Rotation() });
+        this->Images.push_back({ first, second, &pair, motion, motion.Rotation() });
       }
     }
   }
@@ -176,7 +176,7 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
   {
     QuadPoint& point = mesh.points[image.second];
     point.MoveTo(image.motion(mesh.points[image.first].InPlane()));
-    point.curve = this->Curves.Nearest(point.curve.loop, point.InPlane());
+    point.curve = this->Curves.NearestOn(*image.pair, 1, point.curve.loop, point.InPlane());
   }
 }
 

@@ -64,6 +64,7 @@ private:
   {
     int first;
     int second;
+    const PairedSides* pair;
     RigidMotion motion;
     Eigen::Matrix2d rotation;
   };

@@ -162,7 +162,7 @@ private:
     moves.reserve(mesh.points.size());
     for (const QuadPoint& point : mesh.points)
     {
-      moves.push_back(!point.fixed || (this->Release && point.curve.loop < 0));
+      moves.push_back(!point.fixed || (this->Release && point.curve.loop < 0 && !point.held));
     }
     MovePairsTogether(mesh, moves);
     return moves;

@@ -145,7 +145,7 @@ public:
 private:
   bool IsFixed(const QuadPoint& point) const
   {
-    return point.fixed && !point.turns && !(this->Released && point.curve.loop < 0);
+    return point.fixed && !point.turns && (point.held || !(this->Released && point.curve.loop < 0));
   }
 
   bool Fits(const QuadPoint& point, const QuadPoint& image, const Point& place) const

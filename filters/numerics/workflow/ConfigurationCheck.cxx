@@ -127,8 +127,10 @@ ConfigurationCheck CheckRegions(const RegionSet& set, const Configuration& confi
   }
   if (result.consistent)
   {
-    result.reason = "The quarter indices in each of the " + std::to_string(parts.size()) +
-      " regions add up to the sum that its corners require.";
+    result.reason = parts.size() == 1
+      ? "The quarter indices add up to the sum that the corners require."
+      : "The quarter indices in each of the " + std::to_string(parts.size()) +
+        " regions add up to the sum that its corners require.";
   }
   result.reason += DescribeNodes(set, requests);
   return result;

@@ -24,6 +24,7 @@ QuadOptions OptionsFor(const PlanarDomain& domain, const ResolvedRequest& reques
   options.curves = request.curves;
   options.prescribed = request.prescribed;
   options.hold = request.hold;
+  options.nodes = request.nodes;
   if (request.targets)
   {
     RelativeSizes sizes = RelativeTo(*request.targets);

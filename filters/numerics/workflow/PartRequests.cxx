@@ -169,6 +169,7 @@ std::vector<PartRequest> SplitRequest(
       : std::max(1, static_cast<int>(std::lround(result[p].share * request.quadCount)));
     Keep(own.sideRequests, [&](const SideRequest& one) { return hasSide(one.side); });
     Keep(own.sizesNear, [&](const SizeNear& near) { return isHere(near.place); });
+    Keep(own.nodes, isHere);
     Keep(own.corners, [&](const CornerChoice& corner) { return isHere(corner.position); });
     Keep(own.cornerRows,
       [&](const CornerRule& rule)

@@ -60,6 +60,7 @@ struct QuadRequest
   /// Target number of quads if quadSize is 0; 0: as many as prescribed sizes need (SizeTargets.h).
   int quadCount = DefaultQuads;
   std::vector<SizeNear> sizesNear;
+  std::vector<Point> nodes; ///< Places where the mesh has nodes.
   double minimumSize = 0.0; ///< Lower bound of the target size; 0: none.
   double maximumSize = 0.0; ///< Upper bound of the target size; 0: none.
   double growth = 1.25;     ///< Maximum ratio of target sizes of neighbours, above 1.

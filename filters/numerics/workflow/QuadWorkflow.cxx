@@ -1,6 +1,7 @@
 #include "QuadWorkflow.h"
 
 #include "CurveSteps.h"
+#include "HeldNodes.h"
 #include "LayerSteps.h"
 #include "MeshGrade.h"
 #include "Outcome.h"
@@ -52,6 +53,7 @@ void AddWarnings(const ResolvedRequest& request, QuadWorkflowResult& result)
     { request.isPart ? std::string() : DescribeCount(request, isPrescribed, result.quads),
       result.sizes ? std::string() : DescribeSizes(request, result.quads),
       DescribeArea(result.quads), DescribeLostSides(result.quads.mesh),
+      DescribeMissedPlaces(request.nodes, result.quads.mesh),
       DescribeWorstQuad(result.quads.mesh, result.quads.quality) })
   {
     if (!warning.empty())

@@ -58,20 +58,28 @@ public:
         }
       }
     }
+    const std::vector<Loop> loops = RequirePlanar(joined.layout.map.topology)->AlignedLoops();
+    const std::vector<LoopArc> allArcs(loops.begin(), loops.end());
     std::vector<PairedSides> pairs;
     for (const InterfacePiece& piece : this->Set.interfaces)
     {
       PairedSides pair;
-      const auto sideIn = [&](int region)
+      const auto sideOn = [&](std::size_t hand)
       {
-        return sides[Index(region)]
-                    [Index(this->Regions[Index(region)].request.sides.Find(piece.name))];
+        const std::size_t region = Index(piece.regions[hand]);
+        return sides[region][Index(this->Regions[region].request.sides.Find(piece.NameOn(hand)))];
       };
-      pair.first = sideIn(piece.regions[0]);
-      pair.second = sideIn(piece.regions[1]);
+      pair.first = sideOn(0);
+      pair.second = sideOn(1);
       pair.name = "The interface " + piece.name;
       pair.isClosed = piece.isClosed;
       pair.isInterface = true;
+      pair.isOpen = piece.isOpen;
+      if (piece.IsSlit())
+      {
+        pair.slit = { FindSpan(this->Result.sides, allArcs, pair.first),
+          FindSpan(this->Result.sides, allArcs, pair.second) };
+      }
       this->PrescribeForSecond(pair);
       pairs.push_back(std::move(pair));
     }
@@ -114,7 +122,7 @@ private:
     {
       const bool isSecond = std::any_of(this->Set.interfaces.begin(), this->Set.interfaces.end(),
         [&](const InterfacePiece& piece)
-        { return piece.name == name && Index(piece.regions[1]) == region; });
+        { return piece.NameOn(1) == name && Index(piece.regions[1]) == region; });
       const int known = isSecond ? -1 : this->Result.sides.Find(name);
       numbers.push_back(known < 0 ? static_cast<int>(this->Result.sides.names.size()) : known);
       if (known < 0)

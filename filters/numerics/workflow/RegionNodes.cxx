@@ -15,33 +15,25 @@ std::vector<std::vector<RegionCorner>> FindNodeCorners(
   std::vector<std::vector<CornerChoice>> without = given; // with index 0 at nodes
   for (const RegionNode& node : set.nodes)
   {
-    const auto isHere = [&node](const CornerChoice& choice)
-    { return choice.position == node.place; };
     all.emplace_back();
     nodes.push_back({ {}, node.isOnBoundary });
-    for (std::size_t r = 0; r < set.regions.size(); ++r)
+    for (const RegionPoint& point : node.corners)
     {
-      const std::vector<Loop>& loops = set.regions[r].domain.loops;
-      for (std::size_t l = 0; l < loops.size(); ++l)
+      const Corner corner =
+        MakeCorner(set.regions[point.region].domain.loops, point.loop, point.point);
+      const auto isHere = [&corner](const CornerChoice& choice)
+      { return choice.position == corner.position; };
+      NodeCorner one{ static_cast<int>(point.region), corner.angle, std::nullopt };
+      std::vector<CornerChoice>& own = without[point.region];
+      const auto found = std::find_if(own.begin(), own.end(), isHere);
+      if (found != own.end())
       {
-        const auto found = std::find(loops[l].begin(), loops[l].end(), node.place);
-        if (found == loops[l].end())
-        {
-          continue;
-        }
-        const Corner corner =
-          MakeCorner(loops, l, static_cast<std::size_t>(found - loops[l].begin()));
-        NodeCorner one{ static_cast<int>(r), corner.angle, std::nullopt };
-        const auto own = std::find_if(without[r].begin(), without[r].end(), isHere);
-        if (own != without[r].end())
-        {
-          one.prescribed = own->quarterIndex;
-          without[r].erase(own);
-        }
-        without[r].push_back({ node.place, 0 });
-        all.back().push_back({ r, corner, 0 });
-        nodes.back().corners.push_back(one);
+        one.prescribed = found->quarterIndex;
+        own.erase(found);
       }
+      own.push_back({ corner.position, 0 });
+      all.back().push_back({ point.region, corner, 0 });
+      nodes.back().corners.push_back(one);
     }
   }
   std::vector<int> required;

@@ -2,6 +2,7 @@
 
 #include "BoundarySingularities.h"
 #include "BoundarySymmetry.h"
+#include "HeldNodes.h"
 #include "Index.h"
 #include "NodePositions.h"
 #include "OptimizerReport.h"
@@ -15,6 +16,7 @@
 #include "RegionRequests.h"
 #include "RegionSizes.h"
 #include "RegionTurns.h"
+#include "Segment.h"
 #include "SharpTips.h"
 #include "WeldRegions.h"
 
@@ -45,6 +47,18 @@ void RequireAvailable(const QuadRequest& request)
     "Layers, --layers");
   refuse(request.merge == BlockMerge::Clean, "Moves of singularities that merge blocks",
     "Merge, --merge clean");
+}
+
+/// Returns the point of a polyline nearest to a place.
+Point NearestOn(const std::vector<Point>& line, const Point& place)
+{
+  Point offset = place - line.front();
+  for (std::size_t i = 1; i < line.size(); ++i)
+  {
+    const Point other = OffsetFromSegment(place, line[i - 1], line[i]);
+    offset = other.norm() < offset.norm() ? other : offset;
+  }
+  return place - offset;
 }
 
 /// Makes the quads of a set.
@@ -224,6 +238,7 @@ private:
     options.curves = this->Joined.curves;
     options.prescribed = this->Joined.prescribed;
     options.hold = this->Request.hold;
+    options.nodes = this->Request.nodes;
     options.coarse = this->Request.merge == BlockMerge::Coarse;
     if (this->Set.outlines.size() == 1)
     {
@@ -344,11 +359,12 @@ private:
     }
     for (std::size_t i = 0; i < this->Set.interfaces.size(); ++i)
     {
-      const PairedSides& pair = this->Joined.layouts.pairs[i];
-      for (const int side : { pair.first, pair.second })
-      {
-        quads.mesh.sideNames[Index(side)] = this->Set.interfaces[i].side;
-      }
+      const InterfacePiece& piece = this->Set.interfaces[i];
+      const PairedSides& pair = quads.mesh.periodic[i];
+      const bool isOpen = piece.isOpen;
+      quads.mesh.sideNames[Index(pair.first)] = piece.side + (isOpen ? ".left" : "");
+      quads.mesh.sideNames[Index(pair.second)] = piece.side + (isOpen ? ".right" : "");
+      this->PlaceOnPiece(piece, pair, quads.mesh);
     }
     const double bound = quads.quality.bound; // with the angles of regions at nodes
     WeldRegions(quads.mesh);
@@ -361,6 +377,32 @@ private:
     quads.quality.bound = bound;
     this->Result.part.assign(quads.mesh.quads.size(), 0);
     this->Result.quads = std::move(quads);
+  }
+
+  /// Moves the nodes of a piece, whose sides are apart if it is a slit, to its line and its ends.
+  static void PlaceOnPiece(const InterfacePiece& piece, const PairedSides& pair, QuadMesh& mesh)
+  {
+    const auto move = [&mesh](const std::array<int, 2>& nodes, const Point& place)
+    {
+      for (const int node : nodes)
+      {
+        mesh.points[Index(node)].MoveTo(place);
+      }
+    };
+    if (piece.IsSlit())
+    {
+      for (const std::array<int, 2>& nodes : pair.nodes)
+      {
+        const Point middle =
+          0.5 * (mesh.points[Index(nodes[0])].InPlane() + mesh.points[Index(nodes[1])].InPlane());
+        move(nodes, NearestOn(piece.line, middle));
+      }
+    }
+    if (!piece.isClosed)
+    {
+      move(pair.nodes.front(), piece.line.front());
+      move(pair.nodes.back(), piece.line.back());
+    }
   }
 
   void AddWarnings()
@@ -382,7 +424,8 @@ private:
            result.sizes ? DescribeMissedSizes(*result.sizes) : std::string(),
            DescribeCount(this->Request, isPrescribed, quads), DescribeArea(quads),
            DescribeRegionAreas(quads.mesh, result.region, areas, names),
-           DescribeLostSides(quads.mesh), DescribeWorstQuad(quads.mesh, quads.quality) })
+           DescribeMissedPlaces(this->Request.nodes, quads.mesh), DescribeLostSides(quads.mesh),
+           DescribeWorstQuad(quads.mesh, quads.quality) })
     {
       if (!warning.empty())
       {

@@ -12,8 +12,17 @@ namespace crossfield
 {
 namespace
 {
-/// Returns a request with what it prescribes for an interface, by the names of its materials in either
-/// order or a given one, prescribed for each of its pieces.
+/// Returns whether a piece has a name: that of its side, its own, or its materials in either order.
+bool IsCalled(const RegionSet& set, const InterfacePiece& piece, const std::string& name)
+{
+  const auto nameOf = [&](int region)
+  { return set.materials[Index(set.regions[Index(region)].material)]; };
+  return piece.side == name || piece.name == name ||
+    nameOf(piece.regions[1]) + "+" + nameOf(piece.regions[0]) == name;
+}
+
+/// Returns a request with what it prescribes for an interface, by one of its names, prescribed for each of its
+/// pieces. What is prescribed for the left side of a slit holds for both.
 QuadRequest ForPieces(const RegionSet& set, QuadRequest request)
 {
   std::vector<SideRequest> expanded;
@@ -22,13 +31,10 @@ QuadRequest ForPieces(const RegionSet& set, QuadRequest request)
     const std::size_t before = expanded.size();
     for (const InterfacePiece& piece : set.interfaces)
     {
-      const auto nameOf = [&](int region)
-      { return set.materials[Index(set.regions[Index(region)].material)]; };
-      const std::string reversed = nameOf(piece.regions[1]) + "+" + nameOf(piece.regions[0]);
-      if (piece.side == one.side || piece.name == one.side || reversed == one.side)
+      if (IsCalled(set, piece, one.side))
       {
         expanded.push_back(one);
-        expanded.back().side = piece.name;
+        expanded.back().side = piece.NameOn(0);
       }
     }
     if (expanded.size() == before)
@@ -155,6 +161,27 @@ void CompleteNodeCorners(const RegionSet& set, RegionRequests& requests)
     }
   }
 }
+}
+
+void OpenInterfaces(const std::vector<std::string>& names, RegionSet& set)
+{
+  for (const std::string& name : names)
+  {
+    bool isFound = false;
+    std::string all;
+    for (InterfacePiece& piece : set.interfaces)
+    {
+      const bool isCalled = IsCalled(set, piece, name);
+      piece.isOpen = piece.isOpen || isCalled;
+      isFound = isFound || isCalled;
+      all += (all.empty() ? "'" : ", '") + piece.side + "'";
+    }
+    if (!isFound)
+    {
+      throw Error("There is no line or interface '" + name + "' to open" +
+        (all.empty() ? "; the domain has none." : "; there are " + all + "."));
+    }
+  }
 }
 
 RegionRequests SplitForRegions(

@@ -33,10 +33,15 @@ int OutlineIndexAt(const PlanarDomain& outline, const Point& place)
   return 0;
 }
 
-bool IsNode(const RegionSet& set, const Point& place)
+/// Returns whether a corner of a region is at a node.
+bool IsAtNode(const std::vector<std::vector<RegionCorner>>& nodeCorners, const Point& place)
 {
-  return std::any_of(set.nodes.begin(), set.nodes.end(),
-    [&place](const RegionNode& node) { return node.place == place; });
+  return std::any_of(nodeCorners.begin(), nodeCorners.end(),
+    [&place](const std::vector<RegionCorner>& corners)
+    {
+      return std::any_of(corners.begin(), corners.end(),
+        [&place](const RegionCorner& one) { return one.corner.position == place; });
+    });
 }
 }
 
@@ -137,7 +142,7 @@ SizeFunction CommonSizes(const RegionSet& set,
       }
       for (const CornerChoice& choice : region.result.corners)
       {
-        if (IsNode(set, choice.position))
+        if (IsAtNode(nodeCorners, choice.position))
         {
           continue;
         }

@@ -21,7 +21,7 @@ namespace DrawingConversion
 {
 //------------------------------------------------------------------------------
 void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingOutline& outline,
-  vtkPolyData* output)
+  const std::vector<crossfield::DrawnLine>& inner, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -45,6 +45,20 @@ void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingO
       hasNames = hasNames || !segment.name.empty();
     }
   }
+  for (const crossfield::DrawnLine& line : inner)
+  {
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+    {
+      const vtkIdType last = points->InsertNextPoint(drawing.plane.ToSpace(line.points[i]).data());
+      if (i > 0)
+      {
+        lines->InsertNextCell({ last - 1, last });
+        sides.push_back(line.name);
+        curves.ofCell.push_back(-1);
+        hasNames = true;
+      }
+    }
+  }
   output->SetPoints(points);
   output->SetLines(lines);
   if (hasNames)
@@ -64,7 +78,8 @@ void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingO
 }
 
 //------------------------------------------------------------------------------
-void WriteFaces(const crossfield::Drawing& drawing, vtkPolyData* output)
+void WriteFaces(const crossfield::Drawing& drawing, const std::vector<crossfield::DrawnLine>& inner,
+  vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -88,6 +103,15 @@ void WriteFaces(const crossfield::Drawing& drawing, vtkPolyData* output)
     lines->InsertNextCell({ numberOf(piece.first), numberOf(piece.last) });
     sides.push_back(piece.name);
     materials.emplace_back();
+  }
+  for (const crossfield::DrawnLine& line : inner)
+  {
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+    {
+      lines->InsertNextCell({ numberOf(line.points[i - 1]), numberOf(line.points[i]) });
+      sides.push_back(line.name);
+      materials.emplace_back();
+    }
   }
   for (const crossfield::DrawingFace& face : drawing.faces)
   {

@@ -2,6 +2,7 @@
 #define DrawingConversion_h
 
 #include "DrawingOutline.h"
+#include "LineNetwork.h"
 
 class vtkPolyData;
 
@@ -10,16 +11,17 @@ namespace DrawingConversion
 {
 /**
  * Writes the loops of a drawing as line cells in its plane, with their names, curves, unit and
- * largest gap (see vtkDrawingReader).
+ * largest gap, and the lines inside with their names (see vtkDrawingReader).
  */
 void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingOutline& outline,
-  vtkPolyData* output);
+  const std::vector<crossfield::DrawnLine>& inner, vtkPolyData* output);
 
 /**
  * Writes the faces of a drawing of several materials as polygons with the cell array `Material` (string), and its
- * lines with the array `Side`, in its plane.
+ * lines with the array `Side`, in its plane, and the lines inside.
  */
-void WriteFaces(const crossfield::Drawing& drawing, vtkPolyData* output);
+void WriteFaces(const crossfield::Drawing& drawing, const std::vector<crossfield::DrawnLine>& inner,
+  vtkPolyData* output);
 }
 
 #endif

@@ -40,26 +40,12 @@ std::vector<int> NumberValues(
   }
   return result;
 }
-}
 
-namespace RegionConversion
-{
-//------------------------------------------------------------------------------
-std::vector<DomainConversion::Domain> Regions::Domains() const
-{
-  std::vector<DomainConversion::Domain> domains;
-  for (const crossfield::Region& region : this->set.regions)
-  {
-    domains.push_back({ region.domain, this->plane });
-  }
-  return domains;
-}
-
-//------------------------------------------------------------------------------
-Regions Read(vtkDataSet* input, const std::string& array)
+/** Reads the materials of surface cells, and sets the plane and the values of regions. */
+crossfield::MaterialCells ReadCells(
+  vtkDataSet* input, const std::string& array, RegionConversion::Regions& regions)
 {
   const vtkSmartPointer<vtkPolyData> surface = DomainConversion::ReadSurface(input);
-  Regions regions;
   regions.plane = DomainConversion::FindPlane(surface);
   crossfield::MaterialCells cells;
   for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
@@ -103,6 +89,53 @@ Regions Read(vtkDataSet* input, const std::string& array)
     }
     std::transform(regions.values.begin(), regions.values.end(), std::back_inserter(cells.names),
       [](int value) { return std::to_string(value); });
+  }
+  return cells;
+}
+}
+
+namespace RegionConversion
+{
+//------------------------------------------------------------------------------
+std::vector<DomainConversion::Domain> Regions::Domains() const
+{
+  std::vector<DomainConversion::Domain> domains;
+  for (const crossfield::Region& region : this->set.regions)
+  {
+    domains.push_back({ region.domain, this->plane });
+  }
+  return domains;
+}
+
+//------------------------------------------------------------------------------
+Regions Read(
+  vtkDataSet* input, const std::string& array, const LineConversion::Lines& lines, vtkObject* self)
+{
+  Regions regions;
+  crossfield::MaterialCells cells;
+  std::vector<crossfield::MaterialEdge> edges;
+  if (!array.empty())
+  {
+    cells = ReadCells(input, array, regions);
+    edges = crossfield::EdgesOf(cells);
+  }
+  else
+  {
+    const auto rest = LineConversion::Without(input, lines);
+    for (const DomainConversion::Domain& part : DomainConversion::ReadParts(rest, self))
+    {
+      regions.plane = part.plane;
+      const std::vector<crossfield::MaterialEdge> more = crossfield::EdgesOf(part.domain);
+      edges.insert(edges.end(), more.begin(), more.end());
+    }
+    cells.names = { "domain" };
+    regions.values = { 0 };
+    regions.areNamed = true;
+  }
+  if (!lines.names.empty())
+  {
+    cells = crossfield::CellsAlongLines(edges, std::move(cells.names),
+      LineConversion::Read(input, lines, regions.plane), lines.names);
   }
   regions.set = crossfield::MakeRegionSet(cells);
   return regions;

@@ -2,6 +2,7 @@
 #define RegionConversion_h
 
 #include "DomainConversion.h"
+#include "LineConversion.h"
 #include "QuadRequest.h"
 #include "RegionSet.h"
 
@@ -28,11 +29,13 @@ struct Regions
 };
 
 /**
- * Reads the regions of the surface cells of a data set, whose materials are in a cell array of strings or integers.
- * Values are those of the integers, or the numbers of strings in the order of their first cells. Throws
- * crossfield::Error as crossfield::MakeRegionSet does.
+ * Reads the regions of the surface cells of a data set, whose materials are in a cell array of strings or integers, and
+ * which lines divide. Values are those of the integers, or the numbers of strings in the order of their first cells.
+ * Without an array, which needs lines, the domain is of the material `domain`, value 0. Throws crossfield::Error as
+ * crossfield::MakeRegionSet and crossfield::CellsAlongLines do.
  */
-Regions Read(vtkDataSet* input, const std::string& array);
+Regions Read(
+  vtkDataSet* input, const std::string& array, const LineConversion::Lines& lines, vtkObject* self);
 
 /**
  * Adds for each region `RegionMaterial` (string), `RegionRequiredInteriorQuarters` and

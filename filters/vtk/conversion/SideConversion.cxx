@@ -138,6 +138,22 @@ std::string FindArray(vtkDataSet* input, const std::string& requested)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> NamesOfCells(vtkDataSet* input, const std::string& requested)
+{
+  const std::string array = FindArray(input, requested);
+  std::vector<std::string> result;
+  if (!array.empty())
+  {
+    const CellNames names(input, array);
+    for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+    {
+      result.push_back(names.Of(cell));
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 std::vector<crossfield::BoundarySides> ReadSides(vtkDataSet* input, const std::string& requested,
   const std::vector<DomainConversion::Domain>& parts, crossfield::RegionSet* regions)
 {
@@ -163,7 +179,7 @@ std::vector<crossfield::BoundarySides> ReadSides(vtkDataSet* input, const std::s
     const std::vector<std::string>& names = result.back().names;
     generated.insert(generated.end(), names.begin() + result.back().given, names.end());
   }
-  if (!isNamed && !requested.empty())
+  if (!isNamed && !requested.empty() && regions == nullptr) // only lines inside may have names
   {
     throw Error("The cell array '" + requested +
       "' names no part of the boundary; give lines along the boundary with their names.");

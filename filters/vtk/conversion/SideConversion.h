@@ -31,6 +31,9 @@ namespace SideConversion
  */
 std::string FindArray(vtkDataSet* input, const std::string& requested);
 
+/** Returns the names of all cells in the array that FindArray finds; nothing without one. */
+std::vector<std::string> NamesOfCells(vtkDataSet* input, const std::string& requested);
+
 /**
  * Reads the sides of each part of a domain from a cell array of its lines: of its curves, or,
  * beside surface cells, of lines along their boundary. Integers are read as their decimal text.

@@ -284,6 +284,14 @@ private:
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> ReadNames(const std::string& text)
+{
+  std::vector<std::string> names = Split(text, ';');
+  names.erase(std::remove(names.begin(), names.end(), ""), names.end());
+  return names;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Row> ReadLayers(const std::string& text)
 {
   constexpr const char* Form = "NAME:FIRST, NAME:FIRST,GROWTH or NAME:FIRST,GROWTH,ROWS, "

@@ -43,6 +43,8 @@ struct Column
 /** The columns, `Side` first. */
 extern const std::array<Column, 11> Columns;
 
+/** Reads names; empty ones are left out. */
+std::vector<std::string> ReadNames(const std::string& text);
 /** Reads entries NAME:FIRST[,GROWTH[,ROWS]]. */
 std::vector<Row> ReadLayers(const std::string& text);
 /** Reads entries A:B. */

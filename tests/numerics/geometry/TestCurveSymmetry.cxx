@@ -155,4 +155,14 @@ TEST(ExactSymmetry, LeavesOthersAlone)
   moved.loops[1][3] += Point(1e-4, 0.0);
   EXPECT_EQ(WithExactSymmetries(moved).loops, moved.loops);
 }
+
+TEST(CurveSymmetry, ANarrowNotchUpToTheCentreIsNoSymmetry)
+{
+  // All of its points have images on the boundary of the square under the reflection in x = 0.
+  const double half = 1e-4;
+  const SymmetryGroup group = FindCurveSymmetries(MakePlanarDomain(
+    { { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 }, { -1, half }, { 0, 0 }, { -1, -half } } }));
+  EXPECT_EQ(group.order, 1);
+  EXPECT_TRUE(group.reflects);
+}
 }

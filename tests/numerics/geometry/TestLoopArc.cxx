@@ -71,5 +71,14 @@ TEST(LoopArc, MeasuresDistancesFromReplacementSides)
   EXPECT_DOUBLE_EQ(LargestDistance(arc, vertices), std::sqrt(2.0));
   EXPECT_EQ(PositionsOf(vertices)[2], Point(4, 2));
 }
+
+TEST(LoopArc, FindsTheNearestPointOfAPart)
+{
+  const LoopArc arc(Rectangle);
+  EXPECT_EQ(arc.NearestOnPart({ 1, 0.5 }, 0.0, 4.0), 1.0);
+  EXPECT_EQ(arc.NearestOnPart({ 1, 0.5 }, 6.0, 4.0), 9.0);  // on the upper side
+  EXPECT_EQ(arc.NearestOnPart({ 1, 0.5 }, 10.0, 4.0), 1.0); // around the first vertex
+  EXPECT_EQ(arc.NearestOnPart({ 1, 0.5 }, 4.0, 2.0), 4.5);
+}
 }
 }

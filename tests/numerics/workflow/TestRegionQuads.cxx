@@ -7,11 +7,13 @@
 #include "LayerChecks.h"
 #include "MakeRegionSet.h"
 #include "Partitions.h"
+#include "RegionRequests.h"
 #include "SideRequests.h"
 #include "Support.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace crossfield::test
@@ -224,6 +226,118 @@ TEST(RegionQuads, RefuseWhatIsNotAvailable)
   QuadRequest request;
   request.merge = BlockMerge::Clean;
   EXPECT_THROW(MakeQuadsOfRegions(set, PartsOf(set), request), Error);
+}
+
+/// Quads of a square with lines, some of them open.
+QuadWorkflowResult QuadsAlong(const std::vector<std::pair<std::string, Loop>>& lines,
+  const std::vector<std::string>& open, QuadRequest request)
+{
+  RegionSet set = MakeRegionSet(SquareWithLines(lines));
+  OpenInterfaces(open, set);
+  request.quadCount = 400;
+  return MakeQuadsOfRegions(set, PartsOf(set), request);
+}
+
+std::size_t PointsAt(const QuadMesh& mesh, const Point& place)
+{
+  return static_cast<std::size_t>(std::count_if(mesh.points.begin(), mesh.points.end(),
+    [&place](const QuadPoint& point) { return (point.InPlane() - place).norm() < 1e-12; }));
+}
+
+TEST(RegionQuads, ALineOfAUniformMeshChangesNothing)
+{
+  const QuadWorkflowResult result = QuadsAlong({ { "line", { { -1, 0 }, { 0, 0 } } } }, {}, {});
+  const QuadMesh& mesh = result.quads.mesh;
+  ASSERT_EQ(mesh.quads.size(), 400U);
+  ASSERT_EQ(mesh.points.size(), 441U);
+  for (const QuadPoint& point : mesh.points)
+  {
+    const bool isCorner = std::abs(point.place.x()) == 1.0 && std::abs(point.place.y()) == 1.0;
+    EXPECT_EQ(point.quarterIndex, isCorner ? 1 : 0) << point.place.transpose();
+    // To a part of an edge: the slit was open while the map was made.
+    for (const double x : { point.place.x(), point.place.y() })
+    {
+      EXPECT_NEAR(10.0 * x, std::round(10.0 * x), 0.01);
+    }
+    if (std::abs(point.place.y()) < 0.01 && point.place.x() <= 0.0)
+    {
+      EXPECT_EQ(point.place.y(), 0.0);
+    }
+  }
+}
+
+TEST(RegionQuads, AnOpenLineHasTwoNodesButAtItsEnd)
+{
+  const QuadWorkflowResult result =
+    QuadsAlong({ { "crack", { { -1, 0 }, { 0, 0 } } } }, { "crack" }, {});
+  const QuadMesh& mesh = result.quads.mesh;
+  ASSERT_EQ(mesh.points.size(), 441U + 10U);
+  EXPECT_EQ(PointsAt(mesh, { -1, 0 }), 2U);
+  EXPECT_EQ(PointsAt(mesh, { 0, 0 }), 1U);
+  std::map<std::string, int> edges;
+  for (const QuadBoundaryEdge& edge : mesh.boundary)
+  {
+    EXPECT_EQ(edge.kind, BoundaryKind::Outer); // the crack starts at the boundary
+    ++edges[mesh.sideNames[static_cast<std::size_t>(edge.side)]];
+  }
+  EXPECT_EQ(edges["crack.left"], 10);
+  EXPECT_EQ(edges["crack.right"], 10);
+  EXPECT_EQ(mesh.EulerCharacteristic(), 1);
+  // One inside is an inner loop.
+  const QuadWorkflowResult inner =
+    QuadsAlong({ { "crack", { { -0.5, 0 }, { 0.5, 0 } } } }, { "crack" }, {});
+  EXPECT_EQ(inner.quads.mesh.EulerCharacteristic(), 0);
+  EXPECT_EQ(inner.quads.quality.inverted, 0);
+  EXPECT_GT(inner.quads.quality.jacobian.min, 0.99);
+  for (const QuadBoundaryEdge& edge : inner.quads.mesh.boundary)
+  {
+    const std::string& side = inner.quads.mesh.sideNames[static_cast<std::size_t>(edge.side)];
+    EXPECT_EQ(edge.kind == BoundaryKind::Inner, side.compare(0, 5, "crack") == 0);
+  }
+  EXPECT_THROW(QuadsAlong({ { "a", { { -1, 0 }, { 0, 0 } } } }, { "b" }, {}), Error);
+}
+
+TEST(RegionQuads, ObliqueLinesThatCrossAreConforming)
+{
+  const QuadWorkflowResult result = QuadsAlong(
+    { { "a", { { -0.6, 0.05 }, { 0.5, 0.1 } } }, { "b", { { 0.05, -0.5 }, { 0.1, 0.6 } } } }, {},
+    {});
+  EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 1);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.95);
+  EXPECT_TRUE(result.singularities.empty());
+}
+
+TEST(RegionQuads, CountsOfLinesHoldOnBothSides)
+{
+  QuadRequest request;
+  request.sideRequests.emplace_back();
+  request.sideRequests.back().side = "crack";
+  request.sideRequests.back().count = 14;
+  const QuadWorkflowResult result =
+    QuadsAlong({ { "crack", { { -1, 0 }, { 0, 0 } } } }, { "crack" }, request);
+  std::map<std::string, int> edges;
+  for (const QuadBoundaryEdge& edge : result.quads.mesh.boundary)
+  {
+    ++edges[result.quads.mesh.sideNames[static_cast<std::size_t>(edge.side)]];
+  }
+  EXPECT_EQ(edges["crack.left"], 14);
+  EXPECT_EQ(edges["crack.right"], 14);
+}
+
+TEST(RegionQuads, NodesAreAtRequestedPlaces)
+{
+  QuadRequest request;
+  request.nodes = { { 0.33, 0.41 }, { -0.52, 0.0 },
+    { 1.0, 0.23 } }; // inside, on the line, on the boundary
+  const QuadWorkflowResult result =
+    QuadsAlong({ { "line", { { -1, 0 }, { 0, 0 } } } }, {}, request);
+  for (const Point& place : request.nodes)
+  {
+    EXPECT_EQ(PointsAt(result.quads.mesh, place), 1U) << place.transpose();
+  }
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.7);
 }
 }
 }
