@@ -174,6 +174,20 @@ TEST_F(DrawingReader, RecognisesFiles)
   EXPECT_EQ(vtkDrawingReader::CanReadFile("/no/such/file.dxf"), 0);
 }
 
+TEST_F(DrawingReader, KeepsLinesInsideApartFromTheBoundary)
+{
+  const std::string text = Stadium();
+  const std::string crack = "0\nLINE\n8\ncrack\n10\n0\n20\n1\n11\n2\n21\n1\n";
+  this->Reader->SetLines("crack; other");
+  vtkPolyData* const output = this->Read(std::string(text).insert(text.find("0\nLINE"), crack));
+  auto* sides = vtkStringArray::SafeDownCast(output->GetCellData()->GetAbstractArray(names::Side));
+  ASSERT_EQ(sides->GetNumberOfValues(), output->GetNumberOfLines());
+  EXPECT_EQ(sides->GetValue(output->GetNumberOfLines() - 1), "crack");
+  double place[3];
+  output->GetPoint(output->GetNumberOfPoints() - 1, place);
+  EXPECT_EQ(place[1], 1.0);
+}
+
 TEST_F(DrawingReader, RefusesMissingAndUnknownFiles)
 {
   this->Reader->SetFileName("/no/such/file.dxf");

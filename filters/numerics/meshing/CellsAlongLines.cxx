@@ -128,8 +128,10 @@ private:
         if (moved.count(KeyOf(place)) == 0)
         {
           Point target = place;
-          this->AttachTo(this->Edges, target);
-          this->AttachTo(this->Lines, target);
+          if (!this->AttachTo(this->Edges, target))
+          {
+            this->AttachTo(this->Lines, target);
+          }
           moved[KeyOf(place)] = target;
         }
       }
@@ -144,9 +146,10 @@ private:
     }
   }
 
-  /// Moves a place to the nearest of some segments that do not end there, if it is near, and divides it there.
+  /// Moves a place to the nearest of some segments that do not end there, if it is near, and divides it there. Returns
+  /// whether there is one.
   template <class Segment>
-  void AttachTo(std::vector<Segment>& segments, Point& place) const
+  bool AttachTo(std::vector<Segment>& segments, Point& place) const
   {
     const double reach = SampledDistance * this->Extent;
     double smallest = reach;
@@ -166,14 +169,14 @@ private:
     }
     if (nearest == nullptr)
     {
-      return;
+      return false;
     }
     for (const Point& end : { nearest->from, nearest->to })
     {
       if ((end - place).norm() <= reach)
       {
         place = end;
-        return;
+        return true;
       }
     }
     if (smallest > OnSegment * this->Extent)
@@ -183,6 +186,7 @@ private:
     Segment before = *nearest;
     before.to = nearest->from = place;
     segments.push_back(before);
+    return true;
   }
 
   /// Divides lines near their ends that meet nothing: slits then have two sides, which are parallel nearly up to

@@ -63,8 +63,8 @@ crossfield::SegmentNames NamesOfSegments(
 {
   const CellNames names(input, array);
   crossfield::SegmentNames segments;
-  for (const std::vector<vtkIdType>& cells :
-    SegmentCells::Find(input, domain, [&](vtkIdType cell) { return !names.Of(cell).empty(); }))
+  for (const std::vector<vtkIdType>& cells : SegmentCells::FindAround(
+         input, domain, [&](vtkIdType cell) { return !names.Of(cell).empty(); }))
   {
     segments.emplace_back();
     for (const vtkIdType cell : cells)

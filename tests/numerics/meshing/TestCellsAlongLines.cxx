@@ -143,6 +143,17 @@ TEST(CellsAlongLines, EndsOnEdgesOfAnyDirectionAreConnected)
   }
 }
 
+TEST(CellsAlongLines, AnEndBesideAVertexByRoundingIsThere)
+{
+  const double vertex = -0.4 + 0.3; // −0.1 but for rounding
+  ASSERT_NE(vertex, -0.1);
+  const PlanarDomain ring{ { { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } },
+    { { -0.7, 0 }, { -0.4, 0.3 }, { vertex, 0 }, { -0.4, -0.3 } } } };
+  const RegionSet set = MakeRegionSet(
+    CellsAlongLines(EdgesOf(ring), { "plate" }, { { { -0.1, 0 }, { 0.4, 0 }, 0 } }, { "crack" }));
+  EXPECT_EQ(set.regions[0].domain.loops.size(), 2U); // the hole with the crack is one
+}
+
 TEST(CellsAlongLines, RefusesALineOutside)
 {
   EXPECT_THROW(SquareWithLines({ { "far", { { 3, 3 }, { 4, 4 } } } }), Error);
