@@ -184,7 +184,7 @@ class Regions(ProgramTest):
         for arguments, cause in ((("--merge", "clean"), "Moves of singularities that merge blocks are not available for several materials"),
                                  (("--periodic", "left:outer0"), "'left'"),
                                  (("--layers", "bottom:0.01"), "Boundary layers are not available for several materials"),
-                                 (("--smooth-boundary", "0.1"), "The boundary of a domain of several materials is not simplified"),
+                                 (("--smooth-boundary", "0.1"), "The boundary of a domain of several materials or with lines is not simplified"),
                                  (("--materials", "Grain"), "The domain has no cell array 'Grain'")):
             self.refuse("quads", "strip.msh", "-o", "quads.vtu", *arguments, says=(cause,))
 
