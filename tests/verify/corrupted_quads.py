@@ -50,7 +50,7 @@ def quad_point_of_another_loop(file):
     file.point("BoundarySide")[_inner(file)] = 1
 
 
-@of("regions", "the edges between materials have one line, and no other inside has", SIDES, "the file makes sense")
+@of("regions", "the edges between materials have one line, and others are inside", SIDES, "the file makes sense")
 def line_between_materials_on_the_boundary(file):
     kinds = file.cell("BoundaryKind")
     kinds[np.flatnonzero(kinds == 1)[0]] = 5

@@ -17,9 +17,10 @@ def check_quads(data, report):
     frame = Frame(data.points)
     report.bound("points lie in a plane", frame.deviation, 1e-6 * frame.size, "of the domain's size")
     report.true("cells are quads and lines", len(data.triangles) == 0 and data.only_known_cells)
-    places = len(np.unique(data.points, axis=0))
-    report.true("no two points are in one place", places == len(data.points),
-                "%d points have %d places" % (len(data.points), places))
+    place = np.unique(data.points, axis=0, return_inverse=True)[1].ravel()
+    repeated = np.flatnonzero(np.bincount(place)[place] > 1)
+    report.true("no two points are in one place", set(repeated.tolist()) <= _points_of_open_lines(data, place),
+                "%d points have %d places" % (len(data.points), place.max() + 1))
     distinct = [len(set(quad)) == 4 for quad in data.quads.tolist()]
     report.true("quads have four points", all(distinct), "%d have not" % (len(distinct) - sum(distinct)))
     has_lines = "BoundaryId" in data.cells
@@ -41,21 +42,39 @@ def check_quads(data, report):
                 "not have: not recomputed")
 
 
+def _points_of_open_lines(data, place):
+    """Returns the points of lines of the boundary that lead along another one in the opposite direction, as both
+    sides of cracks do."""
+    if "BoundaryId" not in data.cells:
+        return set()
+    ends = place[data.lines]
+    lines = set(map(tuple, ends.tolist()))
+    return {int(point) for (a, b), line in zip(ends.tolist(), data.lines) if (b, a) in lines for point in line}
+
+
 def _check_interfaces(data, report):
-    """Checks the lines between materials, and leaves only those of the boundary in `data`."""
+    """Checks the lines between materials and inside of one, and leaves only those of the boundary in `data`."""
     left = {(quad[i], quad[(i + 1) % 4]): region
             for quad, region in zip(data.quads.tolist(), data.quad_cells["Region"].tolist()) for i in range(4)}
     between = {tuple(sorted(side)) for side, region in left.items() if left.get(side[::-1], region) != region}
     inner = data.cells["BoundaryKind"][1] == 5
     lines = [tuple(sorted(line)) for line in data.lines[inner].tolist()]
-    report.true("the edges between materials have one line, and no other inside has",
-                set(lines) == between and len(lines) == len(between))
+    inside = {tuple(sorted(side)) for side in left if side[::-1] in left}
+    report.true("the edges between materials have one line, and others are inside",
+                between <= set(lines) <= inside and len(lines) == len(set(lines)))
     for name, step in (("RegionLeft", 1), ("RegionRight", -1), ("Region", 1)):
         report.true(name + " is the material beside a line", data.cells[name][1].tolist() == [
             left.get(tuple(line[::step]), -1) for line in data.lines.tolist()])
     data.lines = data.lines[~inner]
     for name, (cells, of_lines) in data.cells.items():
         data.cells[name] = cells, of_lines[~inner]
+
+
+def _smallest_at(place, labels):
+    """Returns for each point the smallest label of the points in its place."""
+    smallest = np.full(place.max() + 1, labels.max())
+    np.minimum.at(smallest, place, labels)
+    return smallest[place]
 
 
 def _check_parts(data, report):
@@ -71,9 +90,20 @@ def _check_parts(data, report):
     of_quad = labels[data.quads[:, 0]]
     count = len(np.unique(of_quad))
     if "Part" in data.quad_cells:  # a designed layout has one part
+        # Both sides of open lines are of one part.
+        place = np.unique(data.points, axis=0, return_inverse=True)[1].ravel()
+        while True:
+            smallest = labels.copy()
+            np.minimum.at(smallest, labels, _smallest_at(place, labels))
+            smallest = smallest[labels]
+            if np.array_equal(smallest, labels):
+                break
+            labels = smallest
+        of_quad = labels[data.quads[:, 0]]
         pairs = {(int(a), int(b)) for a, b in zip(of_quad, data.quad_cells["Part"])}
+        parts = len(np.unique(of_quad))
         report.true("Part numbers what is connected",
-                    len(pairs) == count and sorted({b for _, b in pairs}) == list(range(count)))
+                    len(pairs) == parts and sorted({b for _, b in pairs}) == list(range(parts)))
     return count
 
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace crossfield
 {
@@ -28,24 +30,33 @@ public:
     }
   }
 
-  /// Marks the sides between quads of different regions, after a first Cut. Lines across annuli, which
-  /// Cut adds, then lead through them.
+  /// Marks the sides between quads of different regions and on interfaces, after a first Cut. Lines across
+  /// annuli, which Cut adds, then lead through them.
   void AddWalls(const std::vector<int>& regions)
   {
+    std::set<std::pair<int, int>> interfaces;
+    for (const QuadBoundaryEdge& edge : this->Mesh.boundary)
+    {
+      if (edge.kind == BoundaryKind::Interface)
+      {
+        interfaces.insert(std::minmax(edge.points[0], edge.points[1]));
+      }
+    }
+    std::vector<bool> isBetween(this->Twins.size(), false);
     for (std::size_t side = 0; side < this->Twins.size(); ++side)
     {
       const int twin = this->Twins[side];
-      if (twin >= 0 && regions[side / 4] != regions[twin / 4])
-      {
-        this->Walls[side] = true;
-      }
+      const int start = this->StartOf(static_cast<int>(side));
+      const int end = this->EndOf(static_cast<int>(side));
+      isBetween[side] = twin >= 0 &&
+        (regions[side / 4] != regions[twin / 4] || interfaces.count(std::minmax(start, end)) > 0);
+      this->Walls[side] = this->Walls[side] || isBetween[side];
     }
     for (std::size_t side = 0; side < this->Twins.size(); ++side)
     {
-      const int twin = this->Twins[side];
       const auto end = Index(this->EndOf(static_cast<int>(side)));
-      if (twin >= 0 && regions[side / 4] != regions[twin / 4] && this->Inside[end] &&
-        this->Regular[end] && !this->Walls[this->Straight(static_cast<int>(side))])
+      if (isBetween[side] && this->Inside[end] && this->Regular[end] &&
+        !this->Walls[this->Straight(static_cast<int>(side))])
       {
         this->Turning.push_back(end);
       }
