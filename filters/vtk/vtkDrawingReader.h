@@ -85,7 +85,8 @@ public:
   ///@{
   /**
    * Sets the names of curves that are lines inside of the domain, not parts of its boundary, separated by
-   * semicolons. They become line cells of these names beside those of the boundary. Default: empty.
+   * semicolons. They become line cells of these names beside those of the boundary. Names that no curve has are
+   * ignored: vtkQuadMesher refuses them. Default: empty.
    */
   vtkSetMacro(Lines, std::string);
   vtkGetMacro(Lines, std::string);

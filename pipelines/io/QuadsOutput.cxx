@@ -57,6 +57,10 @@ void PrintMaterials(vtkFieldData* report)
       materials.push_back(regions->GetValue(i));
     }
   }
+  if (materials.size() < 2)
+  {
+    return; // lines divide one material
+  }
   std::cout << regions->GetNumberOfValues() << " regions of " << materials.size() << " materials";
   constexpr std::size_t Listed = 10;
   for (std::size_t i = 0; i < std::min(Listed, materials.size()); ++i)

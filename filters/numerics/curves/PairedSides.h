@@ -25,11 +25,12 @@ struct PairedSides
 {
   int first = 0; ///< Index in BoundarySides::names.
   int second = 0;
-  std::string name;         ///< What it is, for messages.
-  RigidMotion motion;       ///< Takes the first to the second.
-  bool isClosed = false;    ///< Both are whole loops, and any nodes may be the first ones.
-  bool isInterface = false; ///< Its nodes become one in the mesh of all regions (WeldRegions.h),
-  bool isOpen = false;      ///< unless the interface is open.
+  std::string name;      ///< What it is, for messages.
+  RigidMotion motion;    ///< Takes the first to the second.
+  bool isClosed = false; ///< Both are whole loops, and any nodes may be the first ones.
+  /// Both sides of an interface: its nodes become one in the mesh of all regions (WeldRegions.h).
+  bool isInterface = false;
+  bool isOpen = false; ///< Of an interface: nodes at the same place stay two.
   /// Set for the two sides of a slit, which are on one loop and nearly at the same place: where they are.
   std::optional<std::array<SideSpan, 2>> slit;
   /// Nodes of a mesh in order from the ends of the sides: one of the first side, and its image.

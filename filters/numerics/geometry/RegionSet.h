@@ -56,10 +56,10 @@ struct InterfacePiece
 
   /// Returns whether one region is on both sides.
   bool IsSlit() const { return this->regions[0] == this->regions[1]; }
-  /// Returns its name as a side of the region on its left (0) or right (1).
-  std::string NameOn(std::size_t hand) const
+  /// Returns its name as a side of one of `regions`, by the index there.
+  std::string NameIn(std::size_t index) const
   {
-    return this->IsSlit() ? this->name + (hand == 0 ? ".left" : ".right") : this->name;
+    return this->IsSlit() ? this->name + (index == 0 ? ".left" : ".right") : this->name;
   }
 };
 

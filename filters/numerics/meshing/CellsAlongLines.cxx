@@ -1,5 +1,6 @@
 #include "CellsAlongLines.h"
 
+#include "CellSides.h"
 #include "Error.h"
 #include "Index.h"
 #include "MesherTriangulation.h"
@@ -11,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -146,8 +148,8 @@ private:
     }
   }
 
-  /// Moves a place to the nearest of some segments that do not end there, if it is near, and divides it there. Returns
-  /// whether there is one.
+  /// Moves a place to the nearest of some segments that do not end there, if it is near, and divides it there.
+  /// Returns whether there is one.
   template <class Segment>
   bool AttachTo(std::vector<Segment>& segments, Point& place) const
   {
@@ -260,13 +262,10 @@ private:
     return std::any_of(part.begin(), part.end(),
       [this](const Crossing::Face_handle& face)
       {
-        bool isOutside = false;
-        for (int i = 0; i < 3; ++i)
-        {
-          isOutside = isOutside ||
-            (!face->is_constrained(i) && this->Triangles.is_infinite(face->neighbor(i)));
-        }
-        return isOutside;
+        const std::array<int, 3> sides = { 0, 1, 2 };
+        return std::any_of(sides.begin(), sides.end(),
+          [&](int i)
+          { return !face->is_constrained(i) && this->Triangles.is_infinite(face->neighbor(i)); });
       });
   }
 
@@ -353,31 +352,15 @@ std::vector<MaterialEdge> EdgesOf(const PlanarDomain& domain)
 
 std::vector<MaterialEdge> EdgesOf(const MaterialCells& cells)
 {
-  std::map<std::array<int, 2>, int> materialAt; // on the left of each side of a cell
-  for (std::size_t c = 0; c < cells.cells.size(); ++c)
-  {
-    std::vector<int> corners = cells.cells[c];
-    Loop polygon;
-    std::transform(corners.begin(), corners.end(), std::back_inserter(polygon),
-      [&cells](int corner) { return cells.points[Index(corner)]; });
-    if (SignedArea(polygon) < 0.0)
-    {
-      std::reverse(corners.begin(), corners.end());
-    }
-    for (std::size_t i = 0; i < corners.size(); ++i)
-    {
-      materialAt[{ corners[i], corners[(i + 1) % corners.size()] }] = cells.materials[c];
-    }
-  }
+  const CellSides sides(cells);
   std::vector<MaterialEdge> edges;
-  for (const auto& [points, left] : materialAt)
+  for (const CellSide& side : sides.All())
   {
-    const auto other = materialAt.find({ points[1], points[0] });
-    const int right = other == materialAt.end() ? -1 : other->second;
-    if (left > right)
+    const int left = cells.materials[Index(side.cell)];
+    const int right = side.twin < 0 ? -1 : cells.materials[Index(sides[side.twin].cell)];
+    if (left > right) // each edge once
     {
-      edges.push_back(
-        { cells.points[Index(points[0])], cells.points[Index(points[1])], left, right });
+      edges.push_back({ sides.At(side.from), sides.At(side.to), left, right });
     }
   }
   return edges;

@@ -20,7 +20,7 @@ struct QuadBlocks
 /// another block or part of the boundary. The result depends only on the connectivity.
 QuadBlocks FindBlocks(const QuadMesh& mesh);
 
-/// Divides the blocks further, along the lines between quads of different regions and along interfaces, and along the lines of
-/// edges that leave points where these turn or end.
+/// Divides the blocks further, along the lines between quads of different regions and along interfaces, and
+/// along the lines of edges that leave points where these turn or end.
 QuadBlocks FindBlocks(const QuadMesh& mesh, const std::vector<int>& regions);
 }

@@ -5,6 +5,7 @@
 #include "HolonomyCheck.h"
 #include "Index.h"
 #include "RegionRequests.h"
+#include "RegionSides.h"
 
 #include <string>
 #include <utility>
@@ -119,9 +120,8 @@ ConfigurationCheck CheckRegions(const RegionSet& set, const Configuration& confi
       found.count.givenInteriorQuarters, 0 });
     if (!found.consistent)
     {
-      result.reason += (result.consistent ? "Material '" : " Material '") +
-        set.materials[Index(set.regions[r].material)] + "' near " +
-        Describe(parts[r].domain.loops[0][0]) + ": " + found.reason;
+      result.reason +=
+        (result.consistent ? "" : " ") + DescribeRegion(set, r) + ": " + found.reason;
       result.consistent = false;
     }
   }

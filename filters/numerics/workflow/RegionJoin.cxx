@@ -64,13 +64,13 @@ public:
     for (const InterfacePiece& piece : this->Set.interfaces)
     {
       PairedSides pair;
-      const auto sideOn = [&](std::size_t hand)
+      const auto sideIn = [&](std::size_t index)
       {
-        const std::size_t region = Index(piece.regions[hand]);
-        return sides[region][Index(this->Regions[region].request.sides.Find(piece.NameOn(hand)))];
+        const std::size_t region = Index(piece.regions[index]);
+        return sides[region][Index(this->Regions[region].request.sides.Find(piece.NameIn(index)))];
       };
-      pair.first = sideOn(0);
-      pair.second = sideOn(1);
+      pair.first = sideIn(0);
+      pair.second = sideIn(1);
       pair.name = "The interface " + piece.name;
       pair.isClosed = piece.isClosed;
       pair.isInterface = true;
@@ -122,7 +122,7 @@ private:
     {
       const bool isSecond = std::any_of(this->Set.interfaces.begin(), this->Set.interfaces.end(),
         [&](const InterfacePiece& piece)
-        { return piece.NameOn(1) == name && Index(piece.regions[1]) == region; });
+        { return piece.NameIn(1) == name && Index(piece.regions[1]) == region; });
       const int known = isSecond ? -1 : this->Result.sides.Find(name);
       numbers.push_back(known < 0 ? static_cast<int>(this->Result.sides.names.size()) : known);
       if (known < 0)

@@ -14,6 +14,7 @@
 #include "QuadSteps.h"
 #include "RegionJoin.h"
 #include "RegionRequests.h"
+#include "RegionSides.h"
 #include "RegionSizes.h"
 #include "RegionTurns.h"
 #include "Segment.h"
@@ -118,8 +119,7 @@ private:
   /// Returns the error of a region with the name of its material, and the remedy that was found for it.
   Error ErrorOf(std::size_t region, const Error& error) const
   {
-    const std::string start = "Material '" + this->NameOf(region) + "' near " +
-      Describe(this->Parts[region].domain.loops[0][0]) + ": ";
+    const std::string start = DescribeRegion(this->Set, region) + ": ";
     if (error.GetKind() != Error::Kind::CoarseMesh || error.GetCause().empty())
     {
       return Error(start + error.what(), error.GetKind());
@@ -280,7 +280,8 @@ private:
       const QuadWorkflowResult& own = this->Regions[r].result;
       chosen.insert(chosen.end(), own.singularities.begin(), own.singularities.end());
       result.corners.insert(result.corners.end(), own.corners.begin(), own.corners.end());
-      const std::string prefix = this->NameOf(r) + ": ";
+      const std::string prefix =
+        this->Set.materials.size() > 1 ? this->NameOf(r) + ": " : std::string();
       for (const std::string& event : own.events)
       {
         result.events.push_back(prefix + event);
@@ -361,9 +362,8 @@ private:
     {
       const InterfacePiece& piece = this->Set.interfaces[i];
       const PairedSides& pair = quads.mesh.periodic[i];
-      const bool isOpen = piece.isOpen;
-      quads.mesh.sideNames[Index(pair.first)] = piece.side + (isOpen ? ".left" : "");
-      quads.mesh.sideNames[Index(pair.second)] = piece.side + (isOpen ? ".right" : "");
+      quads.mesh.sideNames[Index(pair.first)] = piece.side + (piece.isOpen ? ".left" : "");
+      quads.mesh.sideNames[Index(pair.second)] = piece.side + (piece.isOpen ? ".right" : "");
       this->PlaceOnPiece(piece, pair, quads.mesh);
     }
     const double bound = quads.quality.bound; // with the angles of regions at nodes

@@ -34,7 +34,7 @@ QuadRequest ForPieces(const RegionSet& set, QuadRequest request)
       if (IsCalled(set, piece, one.side))
       {
         expanded.push_back(one);
-        expanded.back().side = piece.NameOn(0);
+        expanded.back().side = piece.NameIn(0);
       }
     }
     if (expanded.size() == before)

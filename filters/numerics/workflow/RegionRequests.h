@@ -15,7 +15,8 @@ struct RegionRequests
   std::vector<std::string> targets;
 };
 
-/// Opens the interfaces with these names, those of their materials in either order, or given ones. Throws Error for a name that none has.
+/// Opens the interfaces with these names, those of their materials in either order, or given ones. Throws
+/// Error for a name that none has.
 void OpenInterfaces(const std::vector<std::string>& names, RegionSet& set);
 
 /// Divides a request for regions as SplitRequest does. The indices of corners at nodes are chosen for all

@@ -1,12 +1,21 @@
 #include "RegionSides.h"
 
 #include "Index.h"
+#include "MakeRegionSet.h"
 
-#include <map>
 #include <set>
 
 namespace crossfield
 {
+std::string DescribeRegion(const RegionSet& set, std::size_t region)
+{
+  const Region& one = set.regions[region];
+  const std::string what = set.materials.size() > 1
+    ? "Material '" + set.materials[Index(one.material)] + "'"
+    : std::string("The region");
+  return what + " near " + Describe(one.domain.loops[0][0]);
+}
+
 void UseGivenNames(const std::vector<SegmentNames>& ofRegions, RegionSet& set)
 {
   std::vector<std::set<std::string>> given(set.interfaces.size());
@@ -24,25 +33,14 @@ void UseGivenNames(const std::vector<SegmentNames>& ofRegions, RegionSet& set)
       }
     }
   }
-  std::map<std::string, int> counts;
   for (std::size_t p = 0; p < given.size(); ++p)
   {
     if (given[p].size() == 1 && !given[p].begin()->empty())
     {
       set.interfaces[p].side = *given[p].begin();
     }
-    ++counts[set.interfaces[p].side];
   }
-  std::map<std::string, int> numbers;
-  for (InterfacePiece& piece : set.interfaces)
-  {
-    piece.name = piece.side;
-    if (counts[piece.side] > 1)
-    {
-      const int number = ++numbers[piece.side];
-      piece.name += "." + std::to_string(number);
-    }
-  }
+  NumberInterfaces(set);
 }
 
 BoundarySides SidesOfRegion(const RegionSet& set, std::size_t region, SegmentNames names,
@@ -58,7 +56,7 @@ BoundarySides SidesOfRegion(const RegionSet& set, std::size_t region, SegmentNam
       const int piece = one.pieces[l][i];
       if (piece >= 0)
       {
-        names[l][i] = set.interfaces[Index(piece / 2)].NameOn(Index(piece % 2));
+        names[l][i] = set.interfaces[Index(piece / 2)].NameIn(Index(piece % 2));
       }
     }
   }

@@ -5,6 +5,9 @@
 
 namespace crossfield
 {
+/// Returns what messages call a region: its material, if there are several, and a point of it.
+std::string DescribeRegion(const RegionSet& set, std::size_t region);
+
 /// Calls pieces of interfaces by the names that are given for all their segments, per region as for
 /// NameSides; with a number if there are several of one name.
 void UseGivenNames(const std::vector<SegmentNames>& ofRegions, RegionSet& set);

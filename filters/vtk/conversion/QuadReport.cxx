@@ -283,9 +283,13 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
   {
     text << result.PartCount() << " parts: ";
   }
-  if (!result.regions.empty())
+  if (result.materials.size() > 1)
   {
     text << result.regions.size() << " regions of " << result.materials.size() << " materials: ";
+  }
+  else if (result.regions.size() > 1) // lines divide one material
+  {
+    text << result.regions.size() << " regions: ";
   }
   text << DescribeQuads(quads) << ", minimum scaled Jacobian " << std::fixed << std::setprecision(2)
        << quads.quality.jacobian.min << "; " << DescribeIrregular(quads.mesh) << ".";

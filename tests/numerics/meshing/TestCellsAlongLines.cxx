@@ -76,8 +76,8 @@ TEST(CellsAlongLines, ALineThatEndsInsideIsASlit)
   EXPECT_TRUE(piece.IsSlit());
   EXPECT_EQ(piece.line.front(), Point(-1, 0));
   EXPECT_EQ(piece.line.back(), Point(0.2, 0.1));
-  EXPECT_EQ(piece.NameOn(0), "crack.left");
-  EXPECT_EQ(piece.NameOn(1), "crack.right");
+  EXPECT_EQ(piece.NameIn(0), "crack.left");
+  EXPECT_EQ(piece.NameIn(1), "crack.right");
   // The region is a simple polygon, from which the slit takes little.
   EXPECT_EQ(set.regions[0].domain.loops.size(), 1U);
   EXPECT_NEAR(AreaOf(set), 4.0, 2e-3);
