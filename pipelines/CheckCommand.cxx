@@ -9,6 +9,7 @@
 #include "CheckOutput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "ListText.h"
 #include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
@@ -75,7 +76,7 @@ int Check(const CheckOptions& options)
   proposal->SetInputConnection(domain->GetOutputPort());
   check->SetCapCorners(options.capCorners);
   check->SetMaterialArray(options.boundary.materials);
-  check->SetLines(options.boundary.lines);
+  check->SetLines(ListText::Join(options.boundary.lines));
   proposal->SetCapCorners(options.capCorners);
   DomainReader::ConnectCorners(check.Get(), options.corners);
   DomainReader::ConnectCorners(proposal.Get(), options.corners);
@@ -91,6 +92,13 @@ int Check(const CheckOptions& options)
   // 3. Propose; if no configuration was given, check the proposal.
   if (!options.proposal.empty())
   {
+    if (!options.boundary.lines.empty())
+    {
+      throw PipelineRun::Error(
+        "A configuration for a domain with lines is proposed by quads alone, whose report has its "
+        "singularities; leave out --propose or --line.",
+        BadInput);
+    }
     proposal->SetCancelFlatCorners(options.cancelFlat);
     proposal->SetAlternatives(options.alternatives);
     proposal->SetCoreRadius(options.coreRadius);

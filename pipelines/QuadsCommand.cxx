@@ -7,6 +7,7 @@
 #include "BoundaryInput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "ListText.h"
 #include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
@@ -131,17 +132,6 @@ std::string CheckOptions(const QuadsOptions& options)
     : "";
 }
 
-/** Returns the entries of an option in the form of vtkQuadMesher. */
-std::string Join(const std::vector<std::string>& entries)
-{
-  std::string text;
-  for (const std::string& entry : entries)
-  {
-    text += entry + ";";
-  }
-  return text;
-}
-
 int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
@@ -164,8 +154,8 @@ int Mesh(const QuadsOptions& options)
   SetSizing(options, mesher);
   mesher->SetSideNameArray(options.boundary.names);
   mesher->SetMaterialArray(options.boundary.materials);
-  mesher->SetLines(options.boundary.lines);
-  mesher->SetOpenLines(options.boundary.openLines);
+  mesher->SetLines(ListText::Join(options.boundary.lines));
+  mesher->SetOpenLines(ListText::Join(options.boundary.openLines));
   options.sides.SetOn(mesher);
   mesher->SetMerge(options.merge);
   mesher->SetPrefer(options.prefer);
@@ -177,8 +167,8 @@ int Mesh(const QuadsOptions& options)
   mesher->SetSplitSingularities(options.split);
   mesher->SetPairs(options.pairs);
   mesher->SetClearance(options.clearance);
-  mesher->SetLayers(Join(options.layers));
-  mesher->SetCornerRows(Join(options.cornerRows));
+  mesher->SetLayers(ListText::Join(options.layers));
+  mesher->SetCornerRows(ListText::Join(options.cornerRows));
   if (!options.singularities.empty())
   {
     mesher->SetSingularitiesConnection(
@@ -219,7 +209,7 @@ int Mesh(const QuadsOptions& options)
   // 4. Write.
   OutputTransaction outputs;
   OutputFile::WriteQuads(
-    quads, options.output, options.mshVersion, Join(options.patchTypes), outputs);
+    quads, options.output, options.mshVersion, ListText::Join(options.patchTypes), outputs);
   OutputFile::WriteIfNamed(mesher->GetOutputDataObject(2), options.layout, outputs);
   if (!options.blocks.empty())
   {

@@ -1,5 +1,6 @@
 #include "BoundaryInput.h"
 
+#include "ListText.h"
 #include "NumberCheck.h"
 #include "vtkBoundarySimplifier.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -41,15 +42,14 @@ std::optional<Change> ChangeOf(vtkAlgorithm* domain)
     static_cast<long long>(points->GetComponent(1, 0)), moved->GetComponent(0, 0) };
 }
 
-/** Returns names in the form of the filters. */
-std::string Join(const std::vector<std::string>& names)
+/** Adds an option with a name that may be repeated. */
+void AddNames(CLI::App& command, const std::string& option, std::vector<std::string>& given,
+  const std::string& help)
 {
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += name + ";";
-  }
-  return text;
+  command.add_option(option, given, help + "; may be repeated")
+    ->type_name("NAME")
+    ->expected(1)
+    ->take_all();
 }
 
 /** Prints how many corners the boundary has no longer, and where the first of them was. */
@@ -78,12 +78,8 @@ void BoundaryOptions::AddTo(CLI::App& command)
       "part of a domain of several separate parts: largest, a number from 1 for the largest, or the name of a "
       "side that one part alone has")
     ->type_name("NAME|N|largest");
-  command
-    .add_option("--drawing-layer", this->drawing.layers,
-      "use the curves of this layer of a drawing only; may be repeated")
-    ->type_name("NAME")
-    ->expected(1)
-    ->take_all();
+  AddNames(command, "--drawing-layer", this->drawing.layers,
+    "use the curves of this layer of a drawing only");
   command
     .add_option("--thin-boundary", this->thinning,
       "remove boundary detail below this length, 0 for none; default: 0.02 of the target edge "
@@ -119,26 +115,16 @@ void BoundaryOptions::AddMaterialsTo(CLI::App& command)
 
 void BoundaryOptions::AddLinesTo(CLI::App& command)
 {
-  command
-    .add_option_function<std::vector<std::string>>(
-      "--line", [this](const std::vector<std::string>& given) { this->lines = Join(given); },
-      "line inside of the domain along which quads are aligned, such as a weld or a line of "
-      "measurements: the name of lines beside the boundary, or of a layer of a drawing; may be repeated")
-    ->type_name("NAME")
-    ->expected(1)
-    ->take_all();
+  AddNames(command, "--line", this->lines,
+    "line inside of the domain along which quads are aligned, such as a weld or a line of "
+    "measurements: the name of lines beside the boundary, or of a layer of a drawing");
 }
 
 void BoundaryOptions::AddOpenLinesTo(CLI::App& command)
 {
-  command
-    .add_option_function<std::vector<std::string>>(
-      "--open", [this](const std::vector<std::string>& given) { this->openLines = Join(given); },
-      "line inside of the domain, or line between two materials, whose two sides have nodes of their own, such as "
-      "a crack or a contact; may be repeated")
-    ->type_name("NAME")
-    ->expected(1)
-    ->take_all();
+  AddNames(command, "--open", this->openLines,
+    "line inside of the domain, or line between two materials, whose two sides have nodes of their "
+    "own, such as a crack or a contact");
 }
 
 namespace BoundaryInput
@@ -148,9 +134,10 @@ vtkSmartPointer<vtkAlgorithm> Open(
 {
   auto simplifier = vtkSmartPointer<vtkBoundarySimplifier>::New();
   DomainReader::DrawingOptions drawing = options.drawing;
-  drawing.lines = options.lines + options.openLines;
+  drawing.lines = options.lines;
+  drawing.lines.insert(drawing.lines.end(), options.openLines.begin(), options.openLines.end());
   simplifier->SetInputConnection(DomainReader::Open(name, size, drawing)->GetOutputPort());
-  simplifier->SetLines(drawing.lines);
+  simplifier->SetLines(ListText::Join(drawing.lines));
   simplifier->SetPart(options.part);
   simplifier->SetMeshSize(size);
   simplifier->SetThinningLength(options.thinning);

@@ -27,8 +27,8 @@ struct BoundaryOptions
   std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.
   std::vector<std::string> kept;                     ///< AddKeptSide of vtkBoundarySimplifier.
   std::string curves;                                ///< Curves of vtkBoundarySimplifier.
-  std::string lines;                                 ///< Lines of vtkQuadMesher.
-  std::string openLines;                             ///< OpenLines of vtkQuadMesher.
+  std::vector<std::string> lines;                    ///< Lines of vtkQuadMesher.
+  std::vector<std::string> openLines;                ///< OpenLines of vtkQuadMesher.
 
   /** Adds the options --part, --drawing-layer, --thin-boundary, --smooth-boundary and --join-tolerance. */
   void AddTo(CLI::App& command);

@@ -1,6 +1,7 @@
 #include "DomainReader.h"
 
 #include "IsolatedReading.h"
+#include "ListText.h"
 #include "PipelineRun.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkDrawingReader.h"
@@ -153,15 +154,10 @@ vtkSmartPointer<vtkAlgorithm> OpenDrawing(
 {
   vtkNew<vtkDrawingReader> reader;
   reader->SetFileName(file);
-  std::string names;
-  for (const std::string& layer : options.layers)
-  {
-    names += layer + ";";
-  }
-  reader->SetLayers(names);
+  reader->SetLayers(ListText::Join(options.layers));
   reader->SetJoinTolerance(options.joinTolerance);
   reader->SetClosedCurvesAreRegions(options.closedCurvesAreRegions);
-  reader->SetLines(options.lines);
+  reader->SetLines(ListText::Join(options.lines));
   if (ending == ".step" || ending == ".stp" || ending == ".brep")
   {
     try

@@ -23,7 +23,7 @@ struct DrawingOptions
   double joinTolerance = 0.0;
   std::vector<std::string> layers;
   bool closedCurvesAreRegions = false;
-  std::string lines;
+  std::vector<std::string> lines; ///< Those that no curve is called by are ignored.
 };
 
 /**

@@ -1,5 +1,6 @@
 #include "SideOptions.h"
 
+#include "ListText.h"
 #include "NumberCheck.h"
 #include "PipelineRun.h"
 #include "vtkQuadMesher.h"
@@ -201,12 +202,7 @@ void SideOptions::SetOn(vtkQuadMesher* mesher) const
   {
     mesher->SetGrowth(this->growth);
   }
-  std::string pairs;
-  for (const std::string& pair : this->periodic)
-  {
-    pairs += pair + ";";
-  }
-  mesher->SetPeriodic(pairs);
+  mesher->SetPeriodic(ListText::Join(this->periodic));
   mesher->SetMinimumSize(this->minimumSize);
   mesher->SetMaximumSize(this->maximumSize);
 }
