@@ -1,7 +1,7 @@
 """Functions of the package: one pipeline of filters each."""
 from __future__ import annotations
 
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import Any, Optional, Sequence, Union
 
 from . import names
 from ._arguments import checks_arguments
@@ -197,7 +197,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     pipeline = Pipeline()
     filter_ = pipeline.add(vtkPoincareHopfCheck())
     data = as_domain(domain, None, materials, line_names(lines))
-    filter_.SetInputData(with_lines(data, lines) if isinstance(lines, Mapping) else data)
+    filter_.SetInputData(with_lines(data, lines))
     filter_.SetLines(";".join(line_names(lines)))
     if singularities is not None:
         filter_.SetSingularitiesData(as_configuration(singularities))

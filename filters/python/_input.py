@@ -204,36 +204,36 @@ def line_names(lines: Optional[Lines]) -> list[str]:
     return names_of_lines
 
 
-def with_lines(data: vtkDataSet, lines: Mapping[str, ArrayLike]) -> vtkUnstructuredGrid:
-    """Returns a domain with lines of the names in the array `Side`."""
+def with_lines(data: vtkDataSet, lines: Optional[Lines], array: Optional[str] = None) -> vtkDataSet:
+    """Returns a domain with the lines whose points are given, and their names in the cell array, by default `Side`."""
+    if not isinstance(lines, Mapping) or not lines:
+        return data
     chains = [positions(points, "points of the line '%s'" % name) for name, points in lines.items()]
     added = vtkPolyData()
     added.SetPoints(_points(np.concatenate(chains)))
-    cells, first = vtkCellArray(), 0
-    for places in chains:
-        cells.InsertNextCell(len(places))
-        for point in range(first, first + len(places)):
-            cells.InsertCellPoint(point)
-        first += len(places)
+    cells = vtkCellArray()
+    for last, places in zip(np.cumsum([len(places) for places in chains]), chains):
+        cells.InsertNextCell(len(places), list(range(last - len(places), last)))
     added.SetLines(cells)
     given = data.NewInstance()
     given.ShallowCopy(data)
-    if not isinstance(given.GetCellData().GetAbstractArray(names.Side), vtkStringArray):
-        side = vtkStringArray()
-        side.SetName(names.Side)
-        side.SetNumberOfValues(given.GetNumberOfCells())
-        given.GetCellData().AddArray(side)
-    for i in range(given.GetCellData().GetNumberOfArrays()):
-        array = given.GetCellData().GetAbstractArray(i)
-        copy = array.NewInstance()
-        copy.SetName(array.GetName())
-        copy.SetNumberOfComponents(array.GetNumberOfComponents())
+    old = given.GetCellData().GetAbstractArray(array or names.Side)
+    side = vtkStringArray()
+    side.SetName(array or names.Side)
+    for cell in range(given.GetNumberOfCells()):
+        side.InsertNextValue(old.GetVariantValue(cell).ToString() if old else "")
+    given.GetCellData().AddArray(side)
+    for i in range(given.GetCellData().GetNumberOfArrays()):  # appending keeps arrays that both have
+        column = given.GetCellData().GetAbstractArray(i)
+        copy = column.NewInstance()
+        copy.SetName(column.GetName())
+        copy.SetNumberOfComponents(column.GetNumberOfComponents())
         copy.SetNumberOfTuples(len(lines))
         if not isinstance(copy, vtkStringArray):
             copy.Fill(-1)
         added.GetCellData().AddArray(copy)
     for i, name in enumerate(lines):
-        added.GetCellData().GetAbstractArray(names.Side).SetValue(i, name)
+        added.GetCellData().GetAbstractArray(side.GetName()).SetValue(i, name)
     append = vtkAppendFilter()
     append.AddInputData(given)
     append.AddInputData(added)

@@ -339,6 +339,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     >>> mesh = quads([(0, 0), (1, 0), (1, 1), (0, 1)], size=0.05, layers={"outer0": (1e-3, 1.2)})
     >>> [layer["rows"] for layer in mesh.report["layers"]]
     [23]
+    >>> square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    >>> mesh = quads(square, count=400, lines={"crack": [(-1, 0), (0, 0)]}, open_lines=["crack"])
+    >>> [side["edges"] for side in mesh.report["sides"] if side["name"].startswith("crack")]
+    [10, 10]
     >>> polygon = [(np.cos(a), np.sin(a)) for a in np.linspace(0, 2 * np.pi, 16, endpoint=False)]
     >>> mesh = quads(polygon, count=100, curves="auto", order=2)
     >>> bool(np.allclose(np.linalg.norm(mesh.points[mesh.edge_nodes], axis=-1), 1, atol=1e-14))
@@ -362,8 +366,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         raise Error("The sizing 'field' has its sizes in the array; leave size out, or give count.")
     pipeline = Pipeline()
     data = as_domain(domain, mesh_size, materials, line_names(lines) + line_names(open_lines))
-    if isinstance(lines, Mapping):
-        data = with_lines(data, lines)
+    data = with_lines(data, lines, names)
     mesher = pipeline.add(vtkQuadMesher())
     mesher.SetInputData(data)
     mesher.SetQuadSize(checked(size))

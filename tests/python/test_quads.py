@@ -17,7 +17,7 @@ import unittest
 import numpy as np
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -73,6 +73,28 @@ class Quads(unittest.TestCase):
         self.assertTrue((mesh.valence[inner[1:-1]] == 4).any())
         self.assertFalse(crossfield.quads("builtin:disk", count=100).region.any())
         self.refused("no cell array 'Grain'", domain, materials="Grain")
+
+    def test_lines_and_nodes_inside(self):
+        square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+        lines = {"crack": [(-1, 0), (0, 0)], "probe": [(0.5, -1), (0.6, 1)]}
+        mesh = crossfield.quads(square, count=400, lines=lines, open_lines=["crack"], nodes=[(0.33, 0.41)])
+        self.assertLessEqual({"crack.left", "crack.right", "probe"}, set(mesh.edge_side))
+        self.assertLess(np.linalg.norm(mesh.points[:, :2] - (0.33, 0.41), axis=1).min(), 1e-12)
+        self.assertTrue(crossfield.check(square, lines=lines).consistent)
+        # Names of the domain stay, whole numbers as well, in an array of any name.
+        domain = crossfield.read("builtin:l-shape")
+        numbers = vtkIntArray()
+        numbers.SetName("Patch")
+        for cell in range(domain.GetNumberOfCells()):
+            numbers.InsertNextValue(7)
+        domain.GetCellData().AddArray(numbers)
+        mesh = crossfield.quads(domain, count=100, names="Patch", lines={"weld": [(0, 0.5), (0.5, 0.5)]})
+        self.assertLessEqual({"7", "weld"}, set(mesh.edge_side))
+        self.assertEqual(len(crossfield.quads(square, count=100, lines={}).quads), 100)
+        self.refused("No line of the domain has the name 'weld'", square, lines=["weld"])
+        self.refused("There is no line or interface 'weld' to open", square, open_lines=["weld"])
+        self.refused("not called by names", square, lines={"a;b": [(0, 0), (1, 0)]})
+        self.refused("There is no node for the place", square, nodes=[(5, 5)])
 
     def test_numbers_are_those_of_the_program(self):
         for options, arguments in (({}, ()), ({"size": 0.1}, ("--size", "0.1")),
