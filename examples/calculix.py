@@ -1,5 +1,17 @@
-"""Functions that the examples with CalculiX share: loads for its input, and results from its output."""
+"""Functions that the examples with CalculiX share: their folder, loads for its input, and results from its output."""
+import contextlib
+import pathlib
 import subprocess
+import tempfile
+
+
+@contextlib.contextmanager
+def working_folder(kept):
+    """Yields the folder `kept`, or a temporary one if it is None."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = kept or pathlib.Path(temporary)
+        folder.mkdir(exist_ok=True)
+        yield folder
 
 
 def pressure_on(text, side, pressure):

@@ -12,10 +12,9 @@ import math
 import pathlib
 import subprocess
 import sys
-import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from calculix import equivalent, pressure_on, run  # noqa: E402
+from calculix import equivalent, pressure_on, run, working_folder  # noqa: E402
 
 LEG, THICKNESS, FILLET, DEPTH = 80.0, 12.0, 8.0, 40.0
 PRESSURE = 0.5
@@ -70,9 +69,7 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, help="keep the files in this folder")
     options = parser.parse_args()
     for size in options.size:
-        with tempfile.TemporaryDirectory() as temporary:
-            folder = options.keep or pathlib.Path(temporary)
-            folder.mkdir(exist_ok=True)
+        with working_folder(options.keep) as folder:
             write_drawing(folder / "bracket.dxf")
             layers = round(DEPTH / size / 2)
             subprocess.run([options.program, "quads", folder / "bracket.dxf", "-o", folder / "bracket.inp", "--size", str(size),

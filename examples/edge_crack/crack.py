@@ -13,12 +13,11 @@ import math
 import pathlib
 import subprocess
 import sys
-import tempfile
 
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from calculix import pressure_on, read_mesh, run  # noqa: E402
+from calculix import pressure_on, read_mesh, run, working_folder  # noqa: E402
 
 WIDTH, LENGTH, CRACK = 1.0, 1.5, 0.5  # width, half of the length, length of the crack
 TENSION, YOUNG, POISSON = 1.0, 210000.0, 0.3
@@ -123,9 +122,7 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, help="keep the files in this folder")
     options = parser.parse_args()
     for quads in options.quads:
-        with tempfile.TemporaryDirectory() as temporary:
-            folder = options.keep or pathlib.Path(temporary)
-            folder.mkdir(exist_ok=True)
+        with working_folder(options.keep) as folder:
             found, along, intensity = solve(options.program, folder, quads)
         print(f"{found} quads, {along} along the crack: K over the handbook's {intensity / handbook():.4f}")
 

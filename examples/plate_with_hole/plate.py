@@ -12,10 +12,9 @@ import math
 import pathlib
 import subprocess
 import sys
-import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from calculix import pressure_on, run  # noqa: E402
+from calculix import pressure_on, run, working_folder  # noqa: E402
 
 WIDTH, LENGTH, RADIUS = 1.0, 3.0, 0.5  # half of the width and length of the plate
 TENSION = 1.0
@@ -90,9 +89,7 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, help="keep the files in this folder")
     options = parser.parse_args()
     for quads in options.quads:
-        with tempfile.TemporaryDirectory() as temporary:
-            folder = options.keep or pathlib.Path(temporary)
-            folder.mkdir(exist_ok=True)
+        with working_folder(options.keep) as folder:
             nodes, factor = solve(options.program, folder, quads, options.points, not options.straight)
         print(f"{nodes} nodes of quads: Kt {factor:.3f}")
 
