@@ -24,6 +24,7 @@ xvfb-run -a pvpython scripts/pictures/drawings.py "$crossfield" docs/drawings
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/glossary.py docs/glossary
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/sizes.py docs/sizes
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/regions.py docs/regions
+PYTHONPATH=$python /usr/bin/python3 scripts/pictures/lines.py docs/lines
 
 build=$(dirname "$(dirname "$(command -v "$crossfield")")")
 ctest --test-dir "$build" -R '^ParaView\.RecordedRun$' --output-on-failure

@@ -1,5 +1,6 @@
 """crossfield quads and check with lines and points inside: drawings, files, errors, and CalculiX on a crack."""
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -10,6 +11,8 @@ import unittest
 from program import PROGRAM, ProgramTest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "examples"))
+from calculix import read_mesh  # noqa: E402
 
 try:
     import numpy
@@ -46,7 +49,8 @@ def dxf_line(layer, start, end):
 
 class Lines(ProgramTest):
     def quads(self, domain, *arguments):
-        return json.loads(self.succeed("quads", domain, "-o", "quads.vtu", "--quads", "400", "--json", "-", *arguments))
+        output = () if "-o" in arguments else ("-o", "quads.vtu")
+        return json.loads(self.succeed("quads", domain, *output, "--quads", "400", "--json", "-", *arguments))
 
     def test_a_line_is_welded_or_open(self):
         write_part(self.folder / "part.vtk", {"crack": ((-1, 0), (0, 0))})
@@ -66,9 +70,12 @@ class Lines(ProgramTest):
 
     def test_lines_cross_and_nodes_are_at_positions(self):
         write_part(self.folder / "part.vtk", {"a": ((-0.6, 0.05), (0.5, 0.1)), "b": ((0.05, -0.5), (0.1, 0.6))})
-        report = self.quads("part.vtk", "--line", "a", "--line", "b", "--node", "0.7,0.73", "--node", "1,-0.33")
+        report = self.quads("part.vtk", "-o", "quads.inp", "--line", "a", "--line", "b", "--node", "0.7,0.73", "--node", "1,-0.33")
         self.assertEqual((report["irregular"], report["inverted"]), ({}, 0))
         self.assertGreater(report["scaled_jacobian"]["min"], 0.7)
+        places, _ = read_mesh((self.folder / "quads.inp").read_text())
+        for place in ((0.7, 0.73), (1, -0.33), (-0.6, 0.05), (0.5, 0.1), (0.05, -0.5), (0.1, 0.6)):
+            self.assertLess(min(math.dist(place, found[:2]) for found in places.values()), 1e-9, place)
 
     def test_an_interface_is_opened(self):
         pipe = ROOT / "tests/data/regions/pipe.vtp"
@@ -93,6 +100,7 @@ class Lines(ProgramTest):
         write_part(self.folder / "part.vtk", {"crack": ((-0.4, -0.3), (0.45, 0.25))})
         report = json.loads(self.succeed("check", "part.vtk", "--line", "crack", "--json", "-"))
         self.assertEqual((report["regions"][0]["required_interior_quarters"], report["euler_characteristic"]), (0, 0))
+        self.refuse("check", "part.vtk", "--line", "crack", "--propose", "a.csv", says=["with lines is proposed by quads alone"])
 
     def test_what_is_not_there_is_refused(self):
         write_part(self.folder / "part.vtk", {"crack": ((-1, 0), (0, 0))})

@@ -28,7 +28,7 @@ def check_quads(data, report):
         _check_interfaces(data, report)
     edges = _check_edges(data, has_lines, report)
     loops = _loops(data)
-    characteristic = 2 * _check_parts(data, report) - len(loops)
+    characteristic = 2 * _check_parts(data, place, report) - len(loops)
     report.equal("Euler characteristic of a connected mesh in its loops", characteristic,
                  len(data.points) - len(edges) + len(data.quads))
     on_loop = np.full(len(data.points), -1)
@@ -70,41 +70,28 @@ def _check_interfaces(data, report):
         data.cells[name] = cells, of_lines[~inner]
 
 
-def _smallest_at(place, labels):
-    """Returns for each point the smallest label of the points in its place."""
-    smallest = np.full(place.max() + 1, labels.max())
-    np.minimum.at(smallest, place, labels)
-    return smallest[place]
-
-
-def _check_parts(data, report):
-    """Checks the numbers of the connected parts and returns how many there are."""
-    labels = np.arange(len(data.points))
+def _components(count, quads):
+    """Returns for each quad the smallest of `count` points that quads connect with it."""
+    labels = np.arange(count)
     while True:  # every point takes the smallest number of its quads
         smallest = labels.copy()
-        np.minimum.at(smallest, data.quads, labels[data.quads].min(axis=1)[:, None])
+        np.minimum.at(smallest, quads, labels[quads].min(axis=1)[:, None])
         smallest = smallest[smallest]
         if np.array_equal(smallest, labels):
-            break
+            return labels[quads[:, 0]]
         labels = smallest
-    of_quad = labels[data.quads[:, 0]]
-    count = len(np.unique(of_quad))
+
+
+def _check_parts(data, place, report):
+    """Checks the numbers of the connected parts, to which both sides of open lines belong, and returns how many there
+    are without these."""
     if "Part" in data.quad_cells:  # a designed layout has one part
-        # Both sides of open lines are of one part.
-        place = np.unique(data.points, axis=0, return_inverse=True)[1].ravel()
-        while True:
-            smallest = labels.copy()
-            np.minimum.at(smallest, labels, _smallest_at(place, labels))
-            smallest = smallest[labels]
-            if np.array_equal(smallest, labels):
-                break
-            labels = smallest
-        of_quad = labels[data.quads[:, 0]]
+        of_quad = _components(len(data.points), place[data.quads])
         pairs = {(int(a), int(b)) for a, b in zip(of_quad, data.quad_cells["Part"])}
         parts = len(np.unique(of_quad))
         report.true("Part numbers what is connected",
                     len(pairs) == parts and sorted({b for _, b in pairs}) == list(range(parts)))
-    return count
+    return len(np.unique(_components(len(data.points), data.quads)))
 
 
 def _check_edges(data, has_lines, report):
