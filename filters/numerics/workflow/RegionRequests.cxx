@@ -109,8 +109,7 @@ void AddSizesInside(
     const double size = sizeOf(static_cast<int>(r));
     if (size > 0.0)
     {
-      own.minimumSize = own.maximumSize = size;
-      own.quadSize = 0.0;
+      own.minimumSize = own.maximumSize = own.quadSize = size;
       own.quadCount = 0;
     }
   }
@@ -120,11 +119,16 @@ void AddSizesInside(
     {
       const double size = sizeOf(piece.regions[end]);
       const int other = piece.regions[1 - end];
-      if (size <= 0.0 || sizeOf(other) > 0.0)
+      if (size <= 0.0 || (sizeOf(other) > 0.0 && sizeOf(other) <= size))
       {
         continue;
       }
-      std::vector<SideRequest>& all = requests[Index(other)].request.sideRequests;
+      QuadRequest& coarser = requests[Index(other)].request;
+      if (sizeOf(other) > 0.0)
+      {
+        coarser.minimumSize = std::min(coarser.minimumSize, size); // its sizes grow from there
+      }
+      std::vector<SideRequest>& all = coarser.sideRequests;
       const bool isGiven = std::any_of(all.begin(), all.end(),
         [&piece](const SideRequest& one) { return one.side == piece.name && one.size > 0.0; });
       if (!isGiven)

@@ -23,7 +23,8 @@ void OpenInterfaces(const std::vector<std::string>& names, RegionSet& set);
 /// regions together (FindNodeCorners), and given to the regions as prescribed ones. What it prescribes for
 /// an interface, by the names of its materials in either order or a given one, is prescribed for each of
 /// its pieces in both regions. A size inside of a material is that of its regions, and of the interfaces of
-/// others with them; without another size or number, the size elsewhere is then that of DefaultQuads quads.
+/// others with them that have a larger size or none; without another size or number, the size elsewhere is
+/// then that of DefaultQuads quads.
 /// Throws Error as SplitRequest does.
 RegionRequests SplitForRegions(
   const RegionSet& set, const std::vector<DomainPart>& parts, const QuadRequest& request);

@@ -201,6 +201,26 @@ TEST(RegionQuads, HaveSizesInsideOfMaterials)
   EXPECT_LT(result.regions[1].quads, 900U);
 }
 
+TEST(RegionQuads, HaveSizesThatGrowAcrossInterfaces)
+{
+  const RegionSet set = MakeRegionSet(FibreInSquare(0.4));
+  QuadRequest request;
+  SideRequest fibre;
+  fibre.side = "fibre";
+  fibre.inside = 0.04;
+  SideRequest matrix;
+  matrix.side = "matrix";
+  matrix.inside = 0.12;
+  request.sideRequests = { fibre, matrix };
+  const QuadWorkflowResult result = MakeQuadsOfRegions(set, PartsOf(set), request);
+  ExpectConforming(result, 4.0, 1);
+  // Those of the matrix are three times as large away from the fibre, but not beside it.
+  ASSERT_TRUE(result.sizes);
+  EXPECT_GT(result.sizes->AreaShare(), 0.8);
+  EXPECT_LT(result.interfaces.at(0).medianRatio, 1.5);
+  EXPECT_LT(result.interfaces.at(0).largestRatio, 2.0);
+}
+
 TEST(RegionQuads, KeepGivenSingularities)
 {
   const RegionSet set = MakeRegionSet(FibreInSquare(0.5));
