@@ -178,7 +178,8 @@ SolvedField SolvePerforatedDirectly(const TriangleMesh& mesh, const MinimiserOpt
     }
   }
 
-  const SparseCholesky factor(matrix, NestedDissection(matrix, unknowns.midpoint, unknowns.holes));
+  const SparseCholesky factor(
+    matrix, NestedDissection(matrix, InSpace(unknowns.midpoint), unknowns.holes));
 
   const ComplexVector harmonic = SolveComplex(factor, rightHandSide);
   const Eigen::MatrixXd root = factor.TrailingFactor(static_cast<int>(unknowns.holes.size()));

@@ -19,12 +19,12 @@ namespace
 using namespace crossfield;
 
 /// Returns the five-point Laplacian plus 1/100 on a grid, and stores the grid points in `places`.
-Eigen::SparseMatrix<double> Grid(int side, std::vector<Point>& places)
+Eigen::SparseMatrix<double> Grid(int side, std::vector<SpacePoint>& places)
 {
   std::vector<SymmetricEntry> entries;
   for (int i = 0; i < side * side; ++i)
   {
-    places.emplace_back(i % side, i / side);
+    places.emplace_back(i % side, i / side, 0.0);
     if ((i + 1) % side != 0)
     {
       entries.push_back({ i, i + 1, -1.0 });
@@ -41,7 +41,7 @@ Eigen::SparseMatrix<double> Grid(int side, std::vector<Point>& places)
 /// solutions.
 double Run()
 {
-  std::vector<Point> places;
+  std::vector<SpacePoint> places;
   const Eigen::SparseMatrix<double> matrix = Grid(180, places);
   const DissectedCholesky factor(matrix, places, { 7, 5000, 31000 }, { 3 });
   std::vector<double> sums(3);

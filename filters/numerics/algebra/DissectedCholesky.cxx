@@ -24,7 +24,7 @@ void RequireFinite(const Eigen::MatrixXd& matrix)
 }
 
 DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& trailing,
+  const std::vector<SpacePoint>& places, const std::vector<int>& trailing,
   const std::vector<int>& leftOut, const Progress& progress, const std::vector<int>& partners)
   : Positions(static_cast<std::size_t>(matrix.rows()), -1)
   , Size(matrix.rows())

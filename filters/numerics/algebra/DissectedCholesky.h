@@ -27,9 +27,10 @@ public:
   /// the unknowns in `trailing` are eliminated last, in that order; rows and columns in `leftOut`
   /// are not part of the system; `partners` as in Dissect. Throws Error when an entry is not
   /// finite, and NotPositiveDefinite when the matrix is not.
-  DissectedCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-    const std::vector<int>& trailing, const std::vector<int>& leftOut,
-    const Progress& progress = {}, const std::vector<int>& partners = {});
+  DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
+    const std::vector<SpacePoint>& places, const std::vector<int>& trailing,
+    const std::vector<int>& leftOut, const Progress& progress = {},
+    const std::vector<int>& partners = {});
 
   /// L⁻¹ b by parts.
   struct Eliminated

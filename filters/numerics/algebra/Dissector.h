@@ -32,7 +32,7 @@ struct OpenPart
 class Dissector
 {
 public:
-  Dissector(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
+  Dissector(const Eigen::SparseMatrix<double>& matrix, const std::vector<SpacePoint>& places,
     const std::vector<int>& partners)
     : Matrix(matrix)
     , Places(places)
@@ -45,12 +45,12 @@ public:
   void Exclude(int unknown) { this->PartOf[unknown] = Excluded; }
   bool IsExcluded(int unknown) const { return this->PartOf[unknown] == Excluded; }
 
-  /// Measures how many couplings a cut meets per length in either direction, up to a common factor:
-  /// the rows of a lattice are closer to each other than the points within a row. A line across an
+  /// Measures how many couplings a cut meets per length in each direction, up to a common factor:
+  /// the rows of a lattice are closer to each other than the points within a row. A plane across an
   /// axis meets couplings in proportion to their lengths along the axis.
   void MeasureDensity(const int* begin, const int* end)
   {
-    for (int axis = 0; axis < 2; ++axis)
+    for (int axis = 0; axis < 3; ++axis)
     {
       this->Density[axis] = SumOfRanges(end - begin,
         [&](int first, int last)
@@ -83,8 +83,12 @@ public:
   /// the smaller separator. `part` is a number not yet used for any part adjacent to this one.
   Halves Split(int* begin, int* end, int part)
   {
-    const Point sizes = this->Box(begin, end).sizes();
-    const int axis = this->Density[0] * sizes.y() <= this->Density[1] * sizes.x() ? 0 : 1;
+    const SpacePoint sizes = this->Box(begin, end).sizes();
+    int axis = 0;
+    for (int other = 1; other < 3; ++other)
+    {
+      axis = this->Density[axis] * sizes[other] > this->Density[other] * sizes[axis] ? other : axis;
+    }
     return this->Split(begin, end, axis, part);
   }
 
@@ -221,11 +225,11 @@ private:
     }
   }
 
-  const Point& Place(int unknown) const { return this->Places[unknown]; }
+  const SpacePoint& Place(int unknown) const { return this->Places[unknown]; }
 
-  Eigen::AlignedBox2d Box(const int* begin, const int* end) const
+  Eigen::AlignedBox3d Box(const int* begin, const int* end) const
   {
-    Eigen::AlignedBox2d box;
+    Eigen::AlignedBox3d box;
     for (const int* unknown = begin; unknown != end; ++unknown)
     {
       box.extend(this->Place(*unknown));
@@ -268,9 +272,9 @@ private:
   }
 
   const Eigen::SparseMatrix<double>& Matrix;
-  const std::vector<Point>& Places;
+  const std::vector<SpacePoint>& Places;
   const std::vector<int>& Partners;
-  Point Density = Point::Ones();
+  SpacePoint Density = SpacePoint::Ones();
   /// For each unknown, the number of the last right half that contained it.
   std::vector<int> PartOf;
 };

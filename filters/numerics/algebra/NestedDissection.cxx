@@ -51,7 +51,7 @@ std::vector<DissectionPart> InPostorder(std::vector<DissectionPart> parts)
 }
 
 std::vector<DissectionPart> Dissect(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& trailing,
+  const std::vector<SpacePoint>& places, const std::vector<int>& trailing,
   const std::vector<int>& leftOut, const std::vector<int>& partners)
 {
   Dissector dissector(matrix, places, partners);
@@ -128,7 +128,7 @@ std::vector<DissectionPart> Dissect(const Eigen::SparseMatrix<double>& matrix,
 }
 
 std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& trailing)
+  const std::vector<SpacePoint>& places, const std::vector<int>& trailing)
 {
   std::vector<int> order;
   for (const DissectionPart& part : Dissect(matrix, places, trailing))

@@ -7,14 +7,14 @@
 namespace crossfield
 {
 /// Returns a fill-reducing elimination order of a symmetric sparse matrix whose unknowns have
-/// positions in the plane. Splits recursively at the median across the direction in which a cut
-/// meets fewer points, and numbers the unknowns of the left half that are coupled to the right half
+/// positions in space. Splits recursively at the median across the direction in which a cut
+/// meets fewest points, and numbers the unknowns of the left half that are coupled to the right half
 /// last (docs/method.md §10.2).
 ///
 /// `places` has one point per unknown; the unknowns in `trailing` come last, in the given order.
 /// Entry i of the result is the unknown that is eliminated i-th.
 std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& trailing = {});
+  const std::vector<SpacePoint>& places, const std::vector<int>& trailing = {});
 
 /// Part of a dissection: a leaf of its tree, whose unknowns are in elimination order, or the
 /// separator between the two parts below it.
@@ -37,7 +37,7 @@ struct DissectionPart
 /// there are none. Parts of such a mesh of two sheets may be disconnected, for example into the two
 /// sheets; connected components are then separated first, without a separator.
 std::vector<DissectionPart> Dissect(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& trailing,
+  const std::vector<SpacePoint>& places, const std::vector<int>& trailing,
   const std::vector<int>& leftOut = {}, const std::vector<int>& partners = {});
 
 /// Returns a bound on the number of entries of the factor of a matrix with one unknown per vertex

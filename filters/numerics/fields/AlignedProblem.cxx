@@ -59,7 +59,7 @@ AlignedProblem::AlignedProblem(const PlanarTopology& topology, const Eigen::Vect
     if (!aligned[edge])
     {
       this->free.push_back(edge);
-      this->places.push_back(topology.Midpoint(edge));
+      this->places.push_back(InSpace(topology.Midpoint(edge)));
     }
   }
   this->freeStiffness = Restrict(this->stiffness, this->free);

@@ -9,12 +9,12 @@ namespace crossfield
 /// and its stiffness matrix: the common part of all direct solves for u.
 struct AlignedProblem
 {
-  SparseMatrix stiffness;     ///< Stiffness matrix over all edges.
-  std::vector<int> free;      ///< Edges whose value is not prescribed, in increasing order.
-  std::vector<int> fixed;     ///< Edges whose value is prescribed.
-  ComplexVector prescribed;   ///< Values on the fixed edges.
-  SparseMatrix freeStiffness; ///< Rows and columns of the free edges.
-  std::vector<Point> places;  ///< Midpoints of the free edges.
+  SparseMatrix stiffness;         ///< Stiffness matrix over all edges.
+  std::vector<int> free;          ///< Edges whose value is not prescribed, in increasing order.
+  std::vector<int> fixed;         ///< Edges whose value is prescribed.
+  ComplexVector prescribed;       ///< Values on the fixed edges.
+  SparseMatrix freeStiffness;     ///< Rows and columns of the free edges.
+  std::vector<SpacePoint> places; ///< Midpoints of the free edges.
 
   /// Assembles the problem. `weights`: see CrouzeixRaviartStiffness.
   explicit AlignedProblem(const PlanarTopology& topology, const Eigen::VectorXd& weights = {});

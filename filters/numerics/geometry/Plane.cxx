@@ -8,6 +8,17 @@
 
 namespace crossfield
 {
+std::vector<SpacePoint> InSpace(const std::vector<Point>& points)
+{
+  std::vector<SpacePoint> result;
+  result.reserve(points.size());
+  for (const Point& point : points)
+  {
+    result.push_back(InSpace(point));
+  }
+  return result;
+}
+
 std::string Describe(const Point& point)
 {
   // Both coordinates have the decimals that give the larger one four significant digits: enough to
@@ -22,6 +33,12 @@ std::string Describe(const Point& point)
     return FormatNumber(std::round(value / step) * step + 0.0, Digits); // + 0 removes the sign of 0
   };
   return "(" + format(point.x()) + ", " + format(point.y()) + ")";
+}
+
+std::string DescribeInSpace(const SpacePoint& point)
+{
+  return "(" + FormatNumber(point.x()) + ", " + FormatNumber(point.y()) + ", " +
+    FormatNumber(point.z()) + ")";
 }
 
 std::string FormatNumber(double value, int digits)

@@ -18,6 +18,14 @@ constexpr double Pi = 3.14159265358979323846;
 /// Tolerance of angles in radians: smaller differences are rounding errors of the coordinates.
 constexpr double AngleRounding = 1e-9;
 
+/// Returns a point of the plane z = 0.
+inline SpacePoint InSpace(const Point& point)
+{
+  return { point.x(), point.y(), 0.0 };
+}
+
+std::vector<SpacePoint> InSpace(const std::vector<Point>& points);
+
 /// Returns the z component of a × b.
 inline double Cross(const Point& a, const Point& b)
 {
@@ -41,6 +49,8 @@ double WrapAngle(double angle);
 
 /// Returns "(x, y)", for messages.
 std::string Describe(const Point& point);
+/// Returns "(x, y, z)", for messages.
+std::string DescribeInSpace(const SpacePoint& point);
 
 /// Returns a number with at most that many significant digits, for messages.
 std::string FormatNumber(double value, int digits = 6);

@@ -5,16 +5,15 @@
 #include "SymmetricAssembly.h"
 #include "TriangleArea.h"
 
-#include <algorithm>
 #include <string>
 
 namespace crossfield
 {
 namespace
 {
-double PositiveArea(const TriangleMesh& mesh, std::size_t t)
+double PositiveArea(const MeshTopology& topology, int t)
 {
-  const double area = TriangleArea(mesh, mesh.triangles[t]);
+  const double area = topology.AreaOf(t);
   if (!(area > 0.0))
   {
     throw Error("Triangle " + std::to_string(t) +
@@ -23,15 +22,13 @@ double PositiveArea(const TriangleMesh& mesh, std::size_t t)
   return area;
 }
 
-/// Returns the entry of a triangle's element matrix for two of its vertices.
-double OffDiagonal(const TriangleMesh& mesh, std::size_t t, const std::array<int, 2>& vertices)
+/// Returns the entry of a triangle's element matrix for the ends of an edge.
+double OffDiagonal(const MeshTopology& topology, int t, int edge)
 {
-  const auto& triangle = mesh.triangles[t];
-  const auto third = *std::find_if(triangle.begin(), triangle.end(),
-    [&vertices](int vertex) { return vertex != vertices[0] && vertex != vertices[1]; });
-  const Point& corner = mesh.points[third];
-  return -(mesh.points[vertices[0]] - corner).dot(mesh.points[vertices[1]] - corner) /
-    (4.0 * PositiveArea(mesh, t));
+  const int side = topology.SideOf(t, edge);
+  const Point& corner = topology.At(t, (side + 2) % 3);
+  return -(topology.At(t, side) - corner).dot(topology.At(t, (side + 1) % 3) - corner) /
+    (4.0 * PositiveArea(topology, t));
 }
 }
 
@@ -48,8 +45,9 @@ Eigen::Matrix3d P1ElementStiffness(const std::array<Point, 3>& corners)
   return opposite.transpose() * opposite / (4.0 * area);
 }
 
-Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges)
+Eigen::SparseMatrix<double> P1Stiffness(const MeshTopology& topology)
 {
+  const EdgeNumbering& edges = topology.edges;
   const int edgeCount = edges.Count();
   std::vector<SymmetricEntry> ofEdge(static_cast<std::size_t>(edgeCount));
   // Off-diagonal entries: each edge sums over its one or two triangles.
@@ -63,12 +61,12 @@ Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumb
         {
           if (t >= 0)
           {
-            sum += OffDiagonal(mesh, static_cast<std::size_t>(t), edges.vertices[e]);
+            sum += OffDiagonal(topology, t, static_cast<int>(e));
           }
         }
         ofEdge[e] = { edges.vertices[e][0], edges.vertices[e][1], sum };
       }
     });
-  return AssembleZeroRowSums(static_cast<Eigen::Index>(mesh.points.size()), ofEdge);
+  return AssembleZeroRowSums(topology.VertexCount(), ofEdge);
 }
 }

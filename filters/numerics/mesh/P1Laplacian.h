@@ -1,6 +1,6 @@
 #pragma once
 
-#include "EdgeNumbering.h"
+#include "MeshTopology.h"
 
 #include <Eigen/SparseCore>
 
@@ -12,7 +12,7 @@ namespace crossfield
 /// Rows and columns are the vertices of the mesh. The matrix is symmetric with both triangles
 /// stored, compressed, and positive semidefinite with the constants as kernel; it is invariant
 /// under scaling of the mesh. Throws Error for a triangle without area.
-Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges);
+Eigen::SparseMatrix<double> P1Stiffness(const MeshTopology& topology);
 
 /// Returns the element matrix of a triangle with corners in any plane. Throws Error as above.
 Eigen::Matrix3d P1ElementStiffness(const std::array<Point, 3>& corners);

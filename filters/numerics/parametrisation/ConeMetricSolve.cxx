@@ -27,7 +27,7 @@ class LaplacianSolve
 {
 public:
   explicit LaplacianSolve(const MetricDerivatives& derivatives)
-    : Factor(derivatives.Laplacian(), derivatives.GetMetric().Points(), {}, { 0 })
+    : Factor(derivatives.Laplacian(), InSpace(derivatives.GetMetric().Points()), {}, { 0 })
   {
   }
 

@@ -103,8 +103,8 @@ Eigen::SparseMatrix<double> FreeMatrix(
 /// Input of the dissection that orders the free unknowns for elimination.
 struct Order
 {
-  std::vector<Point> places; ///< Positions of the free unknowns.
-  std::vector<int> trailing; ///< Unknowns on which many others depend: they come last.
+  std::vector<SpacePoint> places; ///< Positions of the free unknowns.
+  std::vector<int> trailing;      ///< Unknowns on which many others depend: they come last.
   std::vector<int>
     ground; ///< u and v of a vertex on which no other depends, left out to fix the origin.
   /// Per unknown: v of the vertex if it is u, u if it is v, when no other vertex depends on them;
@@ -116,7 +116,7 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
 {
   const auto count = static_cast<std::size_t>(prolongation.cols());
   Order order;
-  order.places.assign(count, Point::Zero());
+  order.places.assign(count, SpacePoint::Zero());
   order.partners.assign(count, -1);
   std::vector<int> dependents(count, 0);
   for (Eigen::Index row = prolongation.rows(); row-- > 0;)
@@ -128,7 +128,7 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
       ++dependents[unknown];
       if (vertex < map.original.size()) // descending: the first vertex sets the position
       {
-        order.places[unknown] = map.topology->PositionOf(map.original[vertex]).head<2>();
+        order.places[unknown] = map.topology->PositionOf(map.original[vertex]);
       }
     }
   }

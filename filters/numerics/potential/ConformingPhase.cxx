@@ -35,7 +35,7 @@ ConformingPhase::ConformingPhase(
 
 void ConformingPhase::ShiftInnerLoops(const Eigen::VectorXd& differences)
 {
-  const PlanarTopology& topology = this->Laplacian.GetTopology();
+  const MeshTopology& topology = this->Laplacian.GetTopology();
   Eigen::Index k = 0;
   for (const BoundaryLoop& loop : topology.loops)
   {
@@ -92,7 +92,7 @@ double ConformingPhase::Jump(int triangle, int vertex) const
 
 void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& growth)
 {
-  const PlanarTopology& topology = this->Laplacian.GetTopology();
+  const MeshTopology& topology = this->Laplacian.GetTopology();
   std::vector<int> along = loop.edges;
   if (loop.kind == BoundaryKind::Inner)
   {
@@ -109,7 +109,7 @@ void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& g
 
 double ConformingPhase::Transport(Eigen::Index k) const
 {
-  const PlanarTopology& topology = this->Laplacian.GetTopology();
+  const MeshTopology& topology = this->Laplacian.GetTopology();
   double sum = 0.0;
   for (const Cycle::Step& step : topology.cycles[k].steps)
   {

@@ -14,7 +14,7 @@ DirichletSolver::DirichletSolver(const PotentialOperator& laplacian)
   : Factor(laplacian, PotentialFactor::Boundary::Dirichlet)
   , OfIslands(laplacian.Rows(), laplacian.PeriodCount(PotentialOperator::Periods::Islands))
 {
-  const PlanarTopology& topology = laplacian.GetTopology();
+  const MeshTopology& topology = laplacian.GetTopology();
   for (const BoundaryEdge& edge : topology.mesh.boundary)
   {
     if (edge.IsAligned())
@@ -61,7 +61,7 @@ DirichletSolver::DirichletSolver(const PotentialOperator& laplacian)
 
 Eigen::MatrixXd DirichletSolver::SumAroundIslands(const Eigen::MatrixXd& sources) const
 {
-  const PlanarTopology& topology = this->Factor.GetOperator().GetTopology();
+  const MeshTopology& topology = this->Factor.GetOperator().GetTopology();
   Eigen::MatrixXd sums =
     Eigen::MatrixXd::Zero(topology.LoopCount(BoundaryKind::Inner), sources.cols());
   Eigen::Index k = 0;

@@ -29,7 +29,7 @@ std::vector<Eigen::SparseMatrix<double>> BlocksByHole(const PotentialOperator& l
 
 Eigen::SparseMatrix<double> HoleSources(const PotentialOperator& laplacian)
 {
-  const PlanarTopology& topology = laplacian.GetTopology();
+  const MeshTopology& topology = laplacian.GetTopology();
   std::vector<Eigen::Triplet<double>> entries;
   auto period = laplacian.PeriodCount(PotentialOperator::Periods::Islands);
   int first = 0;

@@ -18,4 +18,17 @@ PeriodResponse::PeriodResponse(const PotentialFactor& factor)
   this->inverse = this->basis.bottomRows(periods);
   this->schur = this->inverse.inverse();
 }
+
+Eigen::VectorXd PeriodResponse::RemovePeriods(Eigen::VectorXd& solution) const
+{
+  const Eigen::Index periods = this->basis.cols();
+  if (periods == 0)
+  {
+    return {};
+  }
+  Eigen::VectorXd sources = -this->schur * solution.tail(periods);
+  solution += this->basis * sources;
+  solution.tail(periods).setZero();
+  return sources;
+}
 }

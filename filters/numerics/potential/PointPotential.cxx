@@ -184,20 +184,6 @@ PointPotential PointPotential::WithAlignment(Alignment alignment) const
   return result;
 }
 
-Eigen::VectorXd PointPotential::RemovePeriods(Eigen::VectorXd& solution) const
-{
-  const PeriodResponse& response = this->Problem.potential->GetPeriodResponse();
-  const Eigen::Index periods = response.basis.cols();
-  if (periods == 0)
-  {
-    return {};
-  }
-  Eigen::VectorXd sources = -response.schur * solution.tail(periods);
-  solution += response.basis * sources;
-  solution.tail(periods).setZero();
-  return sources;
-}
-
 void PointPotential::FindBoundaryLogs()
 {
   const PlanarTopology& topology = this->Problem.Topology();
@@ -388,7 +374,8 @@ void PointPotential::Complete(
 
   // 2. R without periods. The sources that keep the periods zero are the phase that R carries.
   result.regular = this->Problem.potential->Solve(result.sources, Islands);
-  const Eigen::VectorXd carried = this->RemovePeriods(result.regular);
+  const Eigen::VectorXd carried =
+    this->Problem.potential->GetPeriodResponse().RemovePeriods(result.regular);
   result.aligned = result.regular;
   result.offsets = result.periods = Eigen::VectorXd::Zero(periods);
   if (periods > 0)

@@ -103,9 +103,6 @@ public:
   const CurveSources& GetCurve() const { return this->Curve; }
   /// The entry of mesh.boundary that follows each one.
   const std::vector<std::size_t>& GetNext() const { return this->Next; }
-  /// Makes a solution single-valued by sources at the periods, and returns them: the phase that R
-  /// carries.
-  Eigen::VectorXd RemovePeriods(Eigen::VectorXd& solution) const;
   /// Returns the midpoints of the first and the last boundary edge of strip k.
   std::array<Point, 2> StripEnds(Eigen::Index k) const;
   /// Returns the path along strip k from its first to its last boundary edge, through the centres

@@ -14,9 +14,11 @@ namespace
 DissectedCholesky FactorOperator(
   const PotentialOperator& laplacian, PotentialFactor::Boundary boundary, const Progress& progress)
 {
-  const PlanarTopology& topology = laplacian.GetTopology();
+  const MeshTopology& topology = laplacian.GetTopology();
   const TriangleMesh& mesh = topology.mesh;
-  std::vector<int> leftOut = { mesh.boundary[topology.FirstOuterEdge()].vertices[0] };
+  std::vector<int> leftOut = {
+    topology.loops.empty() ? 0 : mesh.boundary[topology.loops.front().edges.front()].vertices[0]
+  };
   if (boundary == PotentialFactor::Boundary::Dirichlet)
   {
     leftOut.clear();
@@ -36,9 +38,12 @@ DissectedCholesky FactorOperator(
     periodRows.push_back(static_cast<int>(laplacian.PeriodRow(k)));
   }
 
-  std::vector<Point> places(mesh.points);
   // Periods have no position; they are trailing or left out, so it is not used.
-  places.resize(static_cast<std::size_t>(laplacian.Rows()), Point::Zero());
+  std::vector<SpacePoint> places(static_cast<std::size_t>(laplacian.Rows()), SpacePoint::Zero());
+  for (int vertex = 0; vertex < topology.VertexCount(); ++vertex)
+  {
+    places[vertex] = topology.PositionOf(vertex);
+  }
   const Eigen::SparseMatrix<double> matrix = laplacian.Assemble();
   progress.Report(0.1);
   return { matrix, places, trailing, leftOut, progress.Part(0.1, 1.0) };

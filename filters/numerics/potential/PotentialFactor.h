@@ -9,9 +9,9 @@ namespace crossfield
 /// A factorisation of a PotentialOperator under one boundary condition; it solves for any number of
 /// right-hand sides.
 ///
-/// With a natural boundary, one vertex of the outer loop, the ground, is left out to remove the
-/// constants from the kernel. The periods come last in the elimination order, those of inner loops
-/// before those of holes, so a problem without periods around holes uses the leading part of L.
+/// With a natural boundary, one vertex, the ground, on the outer loop if there is one, is left out to
+/// remove the constants from the kernel. The periods come last in the elimination order, those of holes
+/// after the others, so a problem without periods around holes uses the leading part of L.
 ///
 /// With a Dirichlet boundary, the values at the vertices of outer and inner loops and all periods
 /// are zero in every solution. For prescribed values x there, solve for the sources minus Apply(x)

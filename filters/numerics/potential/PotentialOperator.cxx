@@ -8,9 +8,10 @@
 
 namespace crossfield
 {
-PotentialOperator::PotentialOperator(SharedPlanarTopology topology)
+PotentialOperator::PotentialOperator(SharedTopology topology)
   : Topology(std::move(topology))
-  , IslandCount(this->Topology->LoopCount(BoundaryKind::Inner))
+  , IslandCount(static_cast<Eigen::Index>(this->Topology->cycles.size()) -
+      this->Topology->LoopCount(BoundaryKind::Hole))
 {
 }
 
@@ -18,7 +19,7 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
 {
   const TriangleMesh& mesh = this->Topology->mesh;
   const std::vector<Cycle>& cycles = this->Topology->cycles;
-  const Eigen::SparseMatrix<double> stiffness = P1Stiffness(mesh, this->Topology->edges);
+  const Eigen::SparseMatrix<double> stiffness = P1Stiffness(*this->Topology);
   if (cycles.empty())
   {
     return stiffness;
@@ -110,12 +111,11 @@ Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
 
 Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) const
 {
-  const auto gradientOf = [this](std::size_t t, double f0, double f1, double f2) -> Point
+  const auto gradientOf = [this](int t, double f0, double f1, double f2) -> Point
   {
-    const auto& triangle = this->Topology->mesh.triangles[t];
-    const Point& p0 = this->Topology->mesh.points[triangle[0]];
-    const Point a = this->Topology->mesh.points[triangle[1]] - p0;
-    const Point b = this->Topology->mesh.points[triangle[2]] - p0;
+    const Point& p0 = this->Topology->At(t, 0);
+    const Point a = this->Topology->At(t, 1) - p0;
+    const Point b = this->Topology->At(t, 2) - p0;
     const double da = f1 - f0;
     const double db = f2 - f0;
     return Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b);
@@ -130,8 +130,8 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
         const auto& v = this->Topology->mesh.triangles[t];
         for (Eigen::Index c = 0; c < potentials.cols(); ++c)
         {
-          gradient.block<2, 1>(2 * c, t) = gradientOf(static_cast<std::size_t>(t),
-            potentials(v[0], c), potentials(v[1], c), potentials(v[2], c));
+          gradient.block<2, 1>(2 * c, t) =
+            gradientOf(t, potentials(v[0], c), potentials(v[1], c), potentials(v[2], c));
         }
       }
     });
@@ -140,8 +140,7 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
     for (const Cycle::Step& step : this->Topology->cycles[k].steps)
     {
       const Eigen::Vector3d left = step.Left();
-      const Point cut =
-        gradientOf(static_cast<std::size_t>(step.triangle), left[0], left[1], left[2]);
+      const Point cut = gradientOf(step.triangle, left[0], left[1], left[2]);
       for (Eigen::Index c = 0; c < potentials.cols(); ++c)
       {
         gradient.block<2, 1>(2 * c, step.triangle) += potentials(this->PeriodRow(k), c) * cut;
@@ -156,16 +155,14 @@ Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
   const Eigen::Matrix2Xd gradient = this->Gradient(potential);
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(this->Rows());
   // ∫ ∇Φ · ∇λ_i over a triangle is half the cross product of the opposite edge and the gradient.
-  const auto load = [&](std::size_t t, std::size_t i)
+  const auto load = [&](int t, int i)
   {
-    const auto& v = this->Topology->mesh.triangles[t];
-    const Point opposite =
-      this->Topology->mesh.points[v[(i + 2) % 3]] - this->Topology->mesh.points[v[(i + 1) % 3]];
-    return 0.5 * Cross(opposite, gradient.col(static_cast<Eigen::Index>(t)));
+    const Point opposite = this->Topology->At(t, (i + 2) % 3) - this->Topology->At(t, (i + 1) % 3);
+    return 0.5 * Cross(opposite, gradient.col(t));
   };
-  for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
+  for (int t = 0; t < this->Topology->TriangleCount(); ++t)
   {
-    for (std::size_t i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
     {
       sources[this->Topology->mesh.triangles[t][i]] += load(t, i);
     }
@@ -175,10 +172,9 @@ Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
     for (const Cycle::Step& step : this->Topology->cycles[k].steps)
     {
       const Eigen::Vector3d left = step.Left();
-      for (std::size_t i = 0; i < 3; ++i)
+      for (int i = 0; i < 3; ++i)
       {
-        sources[this->PeriodRow(k)] +=
-          left[static_cast<Eigen::Index>(i)] * load(static_cast<std::size_t>(step.triangle), i);
+        sources[this->PeriodRow(k)] += left[i] * load(step.triangle, i);
       }
     }
   }

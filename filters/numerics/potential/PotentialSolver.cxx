@@ -7,7 +7,8 @@
 namespace crossfield
 {
 PotentialSolver::PotentialSolver(SharedPlanarTopology topology, const Progress& progress)
-  : Operator(std::move(topology))
+  : Topology(std::move(topology))
+  , Operator(this->Topology)
   , Factor(this->Operator, PotentialFactor::Boundary::Natural, progress)
 {
 }

@@ -4,6 +4,7 @@
 #include "HoleResponse.h"
 #include "Lazy.h"
 #include "PeriodResponse.h"
+#include "PlanarTopology.h"
 
 #include <array>
 
@@ -29,6 +30,8 @@ public:
   PotentialSolver(const PotentialSolver&) = delete;
   PotentialSolver& operator=(const PotentialSolver&) = delete;
 
+  const PlanarTopology& GetTopology() const { return *this->Topology; }
+  const SharedPlanarTopology& ShareTopology() const { return this->Topology; }
   const PotentialOperator& GetOperator() const { return this->Operator; }
   const PotentialFactor& GetFactor() const { return this->Factor; }
   /// Returns L⁻¹ ∇ᵀ for the edges of holes.
@@ -40,8 +43,6 @@ public:
   const DirichletSolver& GetDirichlet() const;
 
   /// The following functions forward to those of the same name of the operator or the factor.
-  const PlanarTopology& GetTopology() const { return this->Operator.GetTopology(); }
-  const SharedPlanarTopology& ShareTopology() const { return this->Operator.ShareTopology(); }
   Eigen::Index Rows() const { return this->Operator.Rows(); }
   Eigen::Index PeriodCount(Periods periods = Periods::IslandsAndHoles) const
   {
@@ -61,6 +62,7 @@ public:
   Eigen::MatrixXd SolveSingleValued(const Eigen::MatrixXd& sources) const;
 
 private:
+  SharedPlanarTopology Topology;
   PotentialOperator Operator;
   PotentialFactor Factor;
   Lazy<HoleElimination> Holes;

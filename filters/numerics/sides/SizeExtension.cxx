@@ -21,8 +21,8 @@ Eigen::VectorXd ExtendSizes(const PlanarTopology& topology, const Eigen::VectorX
   }
   std::sort(boundary.begin(), boundary.end());
   boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
-  const Eigen::SparseMatrix<double> stiffness = P1Stiffness(topology.mesh, topology.edges);
-  const DissectedCholesky factor(stiffness, topology.mesh.points, {}, boundary);
+  const Eigen::SparseMatrix<double> stiffness = P1Stiffness(topology);
+  const DissectedCholesky factor(stiffness, InSpace(topology.mesh.points), {}, boundary);
   // The correction is 0 at boundary vertices, which are not eliminated.
   logarithms += factor.Substitute(factor.Eliminate(-(stiffness * logarithms)));
   Eigen::VectorXd extended = logarithms.array().exp();

@@ -78,9 +78,7 @@ bool SolverMesh::HasConstantHeight() const
 
 std::string PlaceOf(const SolverMesh& mesh, int point)
 {
-  const Eigen::Vector3d& place = mesh.points[point];
-  return "(" + FormatNumber(place.x()) + ", " + FormatNumber(place.y()) + ", " +
-    FormatNumber(place.z()) + ")";
+  return DescribeInSpace(mesh.points[point]);
 }
 
 void OrientCells(SolverMesh& mesh)

@@ -15,12 +15,12 @@ namespace
 struct System
 {
   SparseMatrix matrix;
-  std::vector<Point> places;
+  std::vector<SpacePoint> places;
 };
 
 System Laplacian(const TriangleMesh& mesh)
 {
-  return { P1Stiffness(mesh, NumberEdges(mesh)), mesh.points };
+  return { P1Stiffness(PlanarTopology(mesh)), InSpace(mesh.points) };
 }
 
 System RandomLaplacian(Random& random, double meshSize)
@@ -150,7 +150,7 @@ TEST(DissectedCholesky, HandlesSmallAndDisconnectedSystems)
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < size; ++i)
     {
-      system.places.emplace_back(i, 0.1 * (i % 3));
+      system.places.emplace_back(i, 0.1 * (i % 3), 0.0);
       entries.emplace_back(i, i, 3.0);
       if (i > 0 && i % 2 == 0)
       {

@@ -11,12 +11,12 @@ namespace crossfield::test
 {
 namespace
 {
-std::vector<Point> Midpoints(const TriangleMesh& mesh, const EdgeNumbering& edges)
+std::vector<SpacePoint> Midpoints(const TriangleMesh& mesh, const EdgeNumbering& edges)
 {
-  std::vector<Point> places;
+  std::vector<SpacePoint> places;
   for (int e = 0; e < edges.Count(); ++e)
   {
-    places.push_back(Midpoint(mesh, edges, e));
+    places.push_back(InSpace(Midpoint(mesh, edges, e)));
   }
   return places;
 }
@@ -30,12 +30,12 @@ bool IsPermutation(std::vector<int> order, std::size_t count)
 }
 
 /// Returns the five-point Laplacian on a grid and stores the grid points in `places`.
-SparseMatrix Grid(int side, std::vector<Point>& places)
+SparseMatrix Grid(int side, std::vector<SpacePoint>& places)
 {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < side * side; ++i)
   {
-    places.emplace_back(i % side, i / side);
+    places.emplace_back(i % side, i / side, 0.0);
     entries.emplace_back(i, i, 4.0);
     for (const int j : { (i + 1) % side != 0 ? i + 1 : -1, i + side < side * side ? i + side : -1 })
     {
@@ -92,13 +92,13 @@ TEST(NestedDissection, HandlesInseparableUnknowns)
   const int count = 100;
   const SparseMatrix dense = Eigen::MatrixXd::Ones(count, count).sparseView();
   Random random(13);
-  std::vector<Point> scattered;
+  std::vector<SpacePoint> scattered;
   for (int i = 0; i < count; ++i)
   {
-    scattered.emplace_back(random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0));
+    scattered.emplace_back(random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0), 0.0);
   }
   EXPECT_TRUE(IsPermutation(NestedDissection(dense, scattered), count));
-  const std::vector<Point> together(count, Point(1.0, 2.0));
+  const std::vector<SpacePoint> together(count, SpacePoint(1.0, 2.0, 0.0));
   EXPECT_TRUE(IsPermutation(NestedDissection(dense, together), count));
   SparseMatrix diagonal(count, count);
   diagonal.setIdentity();
@@ -111,7 +111,7 @@ TEST(NestedDissection, KeepsTheFactorOfAGridSparse)
   // In row order the factor of a grid of n² points fills a band of n³ entries; nested dissection
   // needs about 8 n² log₂ n.
   constexpr int Side = 150;
-  std::vector<Point> places;
+  std::vector<SpacePoint> places;
   const SparseMatrix grid = Grid(Side, places);
   std::vector<int> rowByRow(places.size());
   std::iota(rowByRow.begin(), rowByRow.end(), 0);
@@ -150,7 +150,7 @@ SparseMatrix TwoSheets(const SparseMatrix& sheet, const std::vector<int>& joined
 TEST(NestedDissection, OrdersTheSheetsOfAMeshOneAfterTheOther)
 {
   constexpr int Side = 60;
-  std::vector<Point> places;
+  std::vector<SpacePoint> places;
   const SparseMatrix grid = Grid(Side, places);
   const int count = Side * Side;
   places.insert(places.end(), places.begin(), places.begin() + count);
@@ -184,11 +184,11 @@ TEST(NestedDissection, NumbersTheSeparatorAfterBothSides)
 {
   // A chain of 101 points is split at its middle: the last unknown separates the two halves.
   constexpr int Count = 101;
-  std::vector<Point> places;
+  std::vector<SpacePoint> places;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < Count; ++i)
   {
-    places.emplace_back(i, 0.0);
+    places.emplace_back(i, 0.0, 0.0);
     entries.emplace_back(i, i, 2.0);
     if (i > 0)
     {

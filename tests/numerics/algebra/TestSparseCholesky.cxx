@@ -15,7 +15,7 @@ namespace
 struct System
 {
   SparseMatrix matrix;
-  std::vector<Point> places;
+  std::vector<SpacePoint> places;
 };
 
 /// Returns the stiffness matrix of a random mesh plus a random mass on some of its edges.
@@ -30,7 +30,7 @@ System RandomSystem(Random& random, double meshSize)
   system.matrix = CrouzeixRaviartStiffness(mesh, edges);
   for (int e = 0; e < edges.Count(); ++e)
   {
-    system.places.push_back(Midpoint(mesh, edges, e));
+    system.places.push_back(InSpace(Midpoint(mesh, edges, e)));
     if (e % 5 == 0)
     {
       system.matrix.coeffRef(e, e) += random.Uniform(0.0, 3.0);

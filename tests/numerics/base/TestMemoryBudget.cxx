@@ -207,7 +207,7 @@ TEST(MemoryBudget, RefusesADenseBorderBeforeAllocation)
   constexpr int Size = 400000; // its square is 1.2 TiB
   Eigen::SparseMatrix<double> matrix(Size, Size);
   matrix.setIdentity();
-  const std::vector<Point> places(Size, Point::Zero());
+  const std::vector<SpacePoint> places(Size, SpacePoint::Zero());
   std::vector<int> last;
   for (int i = 0; i < Size; ++i)
   {

@@ -14,7 +14,7 @@ TriangleMesh MeshOfSquare()
 TEST(P1Laplacian, PatchTestIsExactForLinearFunctions)
 {
   const TriangleMesh mesh = MeshOfSquare();
-  const SparseMatrix stiffness = P1Stiffness(mesh, NumberEdges(mesh));
+  const SparseMatrix stiffness = P1Stiffness(PlanarTopology(mesh));
   EXPECT_TRUE(stiffness.isCompressed());
   std::vector<bool> onBoundary(mesh.points.size(), false);
   for (const BoundaryEdge& edge : mesh.boundary)
@@ -42,14 +42,14 @@ TEST(P1Laplacian, PatchTestIsExactForLinearFunctions)
 TEST(P1Laplacian, IsSymmetricWithTheConstantsAsKernelAtAnyScale)
 {
   const TriangleMesh mesh = MeshOfSquare();
-  const EdgeNumbering edges = NumberEdges(mesh);
-  const SparseMatrix stiffness = P1Stiffness(mesh, edges);
+  const SparseMatrix stiffness = P1Stiffness(PlanarTopology(mesh));
   const SparseMatrix transposed = stiffness.transpose();
   EXPECT_LE((stiffness - transposed).norm(), 1e-14 * stiffness.norm());
   EXPECT_LE((stiffness * Eigen::VectorXd::Ones(stiffness.cols())).lpNorm<Eigen::Infinity>(), 1e-12);
   for (const double scale : { 1e-6, 1e6 })
   {
-    const SparseMatrix moved = P1Stiffness(Similarity{ 0.4, scale, Point::Zero() }(mesh), edges);
+    const SparseMatrix moved =
+      P1Stiffness(PlanarTopology(Similarity{ 0.4, scale, Point::Zero() }(mesh)));
     EXPECT_LE((moved - stiffness).norm(), 1e-11 * stiffness.norm());
   }
 }
@@ -86,9 +86,8 @@ TEST(P1Laplacian, ElementIsAQuarterOfTheCrouzeixRaviartOne)
 TEST(P1Laplacian, RefusesTrianglesWithoutArea)
 {
   TriangleMesh mesh = MeshOfSquare();
-  const EdgeNumbering edges = NumberEdges(mesh);
   mesh.points[mesh.triangles[5][0]] = mesh.points[mesh.triangles[5][1]];
-  EXPECT_TRUE(Refuses([&] { P1Stiffness(mesh, edges); }, { "Triangle", "no area" }));
+  EXPECT_TRUE(Refuses([&] { P1Stiffness(PlanarTopology(mesh)); }, { "Triangle", "no area" }));
 }
 }
 }

@@ -71,7 +71,7 @@ TEST(PotentialSolver, SolvesTheLaplacianForAnySourcesOfSumZero)
   Random random(110);
   const Prepared prepared(WithoutIslands());
   ASSERT_EQ(prepared.solver.PeriodCount(Islands), 0);
-  const SparseMatrix stiffness = P1Stiffness(prepared.mesh, prepared.edges);
+  const SparseMatrix stiffness = P1Stiffness(prepared.solver.GetTopology());
   for (int trial = 0; trial < 5; ++trial)
   {
     const Eigen::VectorXd sources = RandomSources(random, prepared);
