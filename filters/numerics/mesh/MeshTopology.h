@@ -13,9 +13,13 @@ namespace crossfield
 /// planes of neighbours are turned against each other.
 struct TriangleCharts
 {
+  std::vector<SpacePoint> positions;         ///< Of the vertices, in space.
   std::vector<std::array<Point, 3>> corners; ///< Counter-clockwise.
-  /// Per side of a triangle: direction a in its chart is a + hinge in that of the neighbour, radians.
+  /// Per side of a triangle: direction a in its chart is a + hinge in that of the neighbour, radians;
+  /// 0 on the boundary.
   std::vector<std::array<double, 3>> hinges;
+  /// Per vertex inside, 2π minus the sum of the angles of its triangles; 0 on the boundary.
+  Eigen::VectorXd curvature;
 };
 
 /// Triangle mesh with all data derived from it alone. It is computed once, never changes, and is
@@ -28,6 +32,7 @@ struct TriangleCharts
 /// boundary there. The other boundary edges and vertices are those of holes.
 struct MeshTopology
 {
+  /// Its points are not numbers if the mesh is not planar: use charts, or PositionOf.
   TriangleMesh mesh;
   /// None if the mesh is planar: the plane is the chart of every triangle.
   std::optional<TriangleCharts> charts;
@@ -85,14 +90,18 @@ struct MeshTopology
   }
   double Length(int edge) const;
   double AreaOf(int triangle) const;
+  /// Returns 2π minus the sum of the angles at a vertex inside: 0 in the plane.
+  double CurvatureAt(int vertex) const { return charts ? charts->curvature[vertex] : 0.0; }
   /// Returns the position of a vertex: its point in the plane, with z = 0.
   SpacePoint PositionOf(int vertex) const
   {
-    const Point& point = mesh.points[vertex];
-    return { point.x(), point.y(), 0.0 };
+    return charts ? charts->positions[vertex] : InSpace(mesh.points[vertex]);
   }
   /// Returns the position of a vertex, for messages.
-  std::string Where(int vertex) const { return Describe(mesh.points[vertex]); }
+  std::string Where(int vertex) const
+  {
+    return charts ? DescribeInSpace(charts->positions[vertex]) : Describe(mesh.points[vertex]);
+  }
 
 protected:
   /// Computes the derived data without angles. Throws Error as NumberEdges and FindBoundaryLoops do.

@@ -26,6 +26,8 @@ struct TurnedTopology : MeshTopology
     : MeshTopology(planar)
   {
     this->charts.emplace();
+    this->charts->positions = InSpace(planar.mesh.points);
+    this->charts->curvature = Eigen::VectorXd::Zero(planar.VertexCount());
     for (int t = 0; t < planar.TriangleCount(); ++t)
     {
       const double mine = angles[static_cast<std::size_t>(t)];

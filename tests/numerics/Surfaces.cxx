@@ -1,0 +1,184 @@
+#include "Surfaces.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace crossfield::test
+{
+namespace
+{
+void AddQuad(SurfaceMesh& surface, int a, int b, int c, int d)
+{
+  surface.triangles.push_back({ a, b, c });
+  surface.triangles.push_back({ a, c, d });
+}
+
+/// Removes the triangles with a corner below z = 0, and the points without triangles.
+SurfaceMesh UpperPart(const SurfaceMesh& surface)
+{
+  constexpr double Rounding = 1e-12;
+  SurfaceMesh part;
+  std::vector<int> number(surface.points.size(), -1);
+  for (auto triangle : surface.triangles)
+  {
+    const bool isBelow = std::any_of(triangle.begin(), triangle.end(),
+      [&surface](int vertex) { return surface.points[vertex].z() < -Rounding; });
+    if (isBelow)
+    {
+      continue;
+    }
+    for (int& vertex : triangle)
+    {
+      int& own = number[vertex];
+      if (own < 0)
+      {
+        own = static_cast<int>(part.points.size());
+        part.points.push_back(surface.points[vertex]);
+      }
+      vertex = own;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+}
+
+SurfaceMesh CubedSphere(int n)
+{
+  SurfaceMesh surface;
+  std::map<std::array<int, 3>, int> numbers; // of points of the cube, with coordinates 0 … n
+  const auto at = [&](const std::array<int, 3>& place)
+  {
+    const auto [found, isNew] = numbers.insert({ place, static_cast<int>(surface.points.size()) });
+    if (isNew)
+    {
+      SpacePoint point;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        point[axis] = std::tan(0.25 * Pi * (2.0 * place[axis] / n - 1.0));
+      }
+      surface.points.push_back(point.normalized());
+    }
+    return found->second;
+  };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    at({ corner % 2 * n, corner / 2 % 2 * n, corner / 4 * n });
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int end : { 0, n })
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        for (int j = 0; j < n; ++j)
+        {
+          // Counter-clockwise seen from outside.
+          const auto corner = [&](int di, int dj)
+          {
+            std::array<int, 3> place{};
+            place[axis] = end;
+            place[(axis + 1) % 3] = i + (end == n ? di : dj);
+            place[(axis + 2) % 3] = j + (end == n ? dj : di);
+            return at(place);
+          };
+          const std::array<int, 4> around = { corner(0, 0), corner(1, 0), corner(1, 1),
+            corner(0, 1) };
+          SpacePoint centre = SpacePoint::Zero();
+          for (std::size_t k = 0; k < 4; ++k)
+          {
+            centre += surface.points[around[k]];
+            surface.triangles.push_back(
+              { around[k], around[(k + 1) % 4], static_cast<int>(surface.points.size()) });
+          }
+          surface.points.push_back(centre.normalized());
+        }
+      }
+    }
+  }
+  return surface;
+}
+
+SurfaceMesh Hemisphere(int n)
+{
+  return UpperPart(CubedSphere(n));
+}
+
+SurfaceMesh Torus(double R, int m, int n)
+{
+  SurfaceMesh surface;
+  for (int i = 0; i < m; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const double u = 2.0 * Pi * i / m;
+      const double v = 2.0 * Pi * j / n;
+      const double radius = R + std::cos(v);
+      surface.points.emplace_back(radius * std::cos(u), radius * std::sin(u), std::sin(v));
+      const int k = (i + 1) % m;
+      const int l = (j + 1) % n;
+      AddQuad(surface, i * n + j, k * n + j, k * n + l, i * n + l);
+    }
+  }
+  return surface;
+}
+
+TriangleMesh GridOfSquare(int n)
+{
+  TriangleMesh mesh;
+  const auto at = [n](int i, int j) { return i * (n + 1) + j; };
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      mesh.points.emplace_back(static_cast<double>(i) / n, static_cast<double>(j) / n);
+      if (i < n && j < n)
+      {
+        mesh.triangles.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
+        mesh.triangles.push_back({ at(i, j), at(i + 1, j + 1), at(i, j + 1) });
+      }
+    }
+  }
+  const auto add = [&mesh](int from, int to) {
+    mesh.boundary.push_back({ { from, to }, BoundaryKind::Outer, 0, 0 });
+  };
+  for (int i = 0; i < n; ++i)
+  {
+    add(at(i, 0), at(i + 1, 0));
+    add(at(n, i), at(n, i + 1));
+    add(at(n - i, n), at(n - i - 1, n));
+    add(at(0, n - i), at(0, n - i - 1));
+  }
+  return mesh;
+}
+
+SurfaceMesh Bend(const TriangleMesh& mesh, double h, const std::vector<double>& angles)
+{
+  std::vector<SpacePoint> lines = { SpacePoint::Zero() };
+  for (const double angle : angles)
+  {
+    lines.push_back(lines.back() + h * SpacePoint(std::cos(angle), 0.0, std::sin(angle)));
+  }
+  SurfaceMesh surface;
+  for (const Point& point : mesh.points)
+  {
+    const auto column = static_cast<std::size_t>(std::lround(point.x() / h));
+    surface.points.push_back(lines.at(column) + SpacePoint(0.0, point.y(), 0.0));
+  }
+  surface.triangles = mesh.triangles;
+  return surface;
+}
+
+SurfaceMesh Turn(SurfaceMesh surface, double angle)
+{
+  const Eigen::AngleAxisd turn(angle, SpacePoint(1.0, 2.0, 3.0).normalized());
+  for (SpacePoint& point : surface.points)
+  {
+    point = turn * point;
+  }
+  return surface;
+}
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "SurfaceMesh.h"
+#include "TriangleMesh.h"
+
+namespace crossfield::test
+{
+/// Returns the unit sphere as a cube with 6 n × n squares, each cut into four triangles around its centre,
+/// blown up so that angles along the middle lines of the faces are equal. It has the symmetries of the cube,
+/// whose corners are its first eight points.
+SurfaceMesh CubedSphere(int n);
+
+/// Returns the part of that sphere with z ≥ 0; n is even. The points on it are those of the sphere.
+SurfaceMesh Hemisphere(int n);
+
+/// Returns the torus of circles of radius 1 around a circle of radius R > 1, as m × n quadrilaterals that
+/// are cut into two triangles: n along the small circles.
+SurfaceMesh Torus(double R, int m, int n);
+
+/// Returns the unit square as n × n squares, each cut into two triangles.
+TriangleMesh GridOfSquare(int n);
+
+/// Bends a planar mesh with its vertices on lines x = i h, along these lines: column i has the direction
+/// angles[i] in the plane of x and z. Lengths stay.
+SurfaceMesh Bend(const TriangleMesh& mesh, double h, const std::vector<double>& angles);
+
+/// Turns a surface about the axis (1, 2, 3).
+SurfaceMesh Turn(SurfaceMesh surface, double angle);
+}
