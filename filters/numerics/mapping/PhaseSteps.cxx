@@ -146,4 +146,32 @@ PhaseSteps StepsOf(const PointPotential& potential, const PointPotential::Soluti
   steps.near = FindNear(topology, solution.logs, walk);
   return steps;
 }
+
+PhaseSteps StepsOf(const VertexPotential& potential, const VertexPotential::Solution& solution)
+{
+  const MeshTopology& topology = potential.GetTopology();
+  const Eigen::MatrixXd gradient = potential.GetOperator().Gradient(solution.potential);
+  PhaseSteps steps;
+  steps.centre.resize(topology.TriangleCount());
+  steps.toSide.resize(topology.mesh.triangles.size());
+  ForRanges(topology.TriangleCount(),
+    [&](int begin, int end)
+    {
+      for (int t = begin; t < end; ++t)
+      {
+        const auto& v = topology.mesh.triangles[t];
+        steps.centre[t] =
+          (solution.potential[v[0]] + solution.potential[v[1]] + solution.potential[v[2]]) / 3.0;
+        const Point centre = topology.CentreOf(t);
+        for (int side = 0; side < 3; ++side)
+        {
+          const Point middle = 0.5 * (topology.At(t, side) + topology.At(t, (side + 1) % 3));
+          steps.toSide[t][side] = Cross(gradient.col(t), middle - centre);
+        }
+      }
+    });
+  steps.boundaryShift =
+    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.boundary.size()));
+  return steps;
+}
 }

@@ -12,16 +12,16 @@ namespace crossfield
 {
 namespace
 {
-/// Shortest edge paths from the boundary to vertices inside.
+/// Shortest edge paths from the boundary, or a vertex of a closed surface, to vertices inside.
 struct ShortestPaths
 {
   std::vector<double> length;
-  std::vector<int> edge; ///< Last edge of the path; −1 on the boundary.
-  std::vector<int> loop; ///< Boundary loop where the path starts.
+  std::vector<int> edge; ///< Last edge of the path; −1 where it starts.
 };
 
-/// Finds the paths to all goals by Dijkstra's algorithm.
-ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<bool>& isGoal)
+/// Finds the paths to all goals by Dijkstra's algorithm. Without a boundary they start at a root.
+ShortestPaths FindPathsInwards(
+  const MeshTopology& topology, const std::vector<bool>& isGoal, int root)
 {
   const std::size_t count = Index(topology.VertexCount());
   const EdgeNumbering& edges = topology.edges;
@@ -44,18 +44,21 @@ ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<b
   }
 
   ShortestPaths paths{ std::vector<double>(count, std::numeric_limits<double>::infinity()),
-    std::vector<int>(count, -1), std::vector<int>(count, -1) };
+    std::vector<int>(count, -1) };
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  for (std::size_t l = 0; l < topology.loops.size(); ++l)
+  const auto begin = [&](int v)
   {
-    for (const int position : topology.loops[l].edges)
-    {
-      const int v = topology.BoundaryAt(position).vertices[0];
-      paths.length[v] = 0.0;
-      paths.loop[v] = static_cast<int>(l);
-      queue.emplace(0.0, v);
-    }
+    paths.length[v] = 0.0;
+    queue.emplace(0.0, v);
+  };
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    begin(edge.vertices[0]);
+  }
+  if (topology.mesh.boundary.empty())
+  {
+    begin(root);
   }
   auto remaining = std::count(isGoal.begin(), isGoal.end(), true);
   while (!queue.empty() && remaining > 0)
@@ -77,7 +80,6 @@ ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<b
       {
         paths.length[other] = reached;
         paths.edge[other] = e;
-        paths.loop[other] = paths.loop[v];
         queue.emplace(reached, other);
       }
     }
@@ -97,28 +99,77 @@ void CutPath(
   }
 }
 
-/// Cuts the shortest paths that join all loops (Kruskal).
-void JoinLoops(const MeshTopology& topology, const ShortestPaths& paths, std::vector<bool>& isCut)
+/// Cuts the shortest paths that join all loops, and two around each handle: those through an edge that
+/// neither they nor a spanning tree of the triangles cross, which crosses edges far from the boundary
+/// first.
+void CutCycles(const MeshTopology& topology, const ShortestPaths& paths, std::vector<bool>& isCut)
 {
+  std::vector<bool> isOnPath(isCut.size(), false);
+  for (const int e : paths.edge)
+  {
+    if (e >= 0)
+    {
+      isOnPath[e] = true;
+    }
+  }
   std::vector<std::pair<double, int>> bridges;
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
     const auto& [a, b] = topology.edges.vertices[e];
-    if (paths.loop[a] != paths.loop[b])
+    if (!isOnPath[e] && topology.edges.triangles[e][1] >= 0)
     {
       bridges.emplace_back(paths.length[a] + paths.length[b] + topology.Length(e), e);
     }
   }
-  std::sort(bridges.begin(), bridges.end());
-  UnionFind loops(topology.loops.size());
+  std::sort(bridges.begin(), bridges.end(), std::greater<>());
+  UnionFind sides(topology.mesh.triangles.size());
   for (const auto& [length, e] : bridges)
   {
-    const auto& [a, b] = topology.edges.vertices[e];
-    if (loops.Join(paths.loop[a], paths.loop[b]))
+    const auto& [left, right] = topology.edges.triangles[e];
+    if (!sides.Join(left, right))
     {
       isCut[e] = true;
-      CutPath(topology, paths, a, isCut);
-      CutPath(topology, paths, b, isCut);
+      for (const int vertex : topology.edges.vertices[e])
+      {
+        CutPath(topology, paths, vertex, isCut);
+      }
+    }
+  }
+}
+
+/// Removes cut edges that lead to a vertex inside that is not singular, and no farther.
+void Prune(const MeshTopology& topology, const std::vector<int>& singular, std::vector<bool>& isCut)
+{
+  std::vector<std::vector<int>> cutAt(Index(topology.VertexCount()));
+  for (int e = 0; e < topology.edges.Count(); ++e)
+  {
+    for (const int vertex : topology.edges.vertices[e])
+    {
+      if (isCut[e])
+      {
+        cutAt[vertex].push_back(e);
+      }
+    }
+  }
+  std::vector<bool> isKept(cutAt.size(), false);
+  for (const int vertex : singular)
+  {
+    isKept[vertex] = true;
+  }
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    isKept[edge.vertices[0]] = true;
+  }
+  for (int first = 0; first < topology.VertexCount(); ++first)
+  {
+    for (int vertex = first; !isKept[vertex] && cutAt[vertex].size() == 1;)
+    {
+      const int e = cutAt[vertex].front();
+      isCut[e] = false;
+      cutAt[vertex].clear();
+      const auto& [a, b] = topology.edges.vertices[e];
+      vertex = a == vertex ? b : a;
+      cutAt[vertex].erase(std::find(cutAt[vertex].begin(), cutAt[vertex].end(), e));
     }
   }
 }
@@ -252,21 +303,23 @@ CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
 {
   CutGraph cut;
   cut.isCut.assign(Index(topology.edges.Count()), false);
-  // Joining loops needs the paths to all vertices.
-  const bool joins = topology.loops.size() > 1;
-  std::vector<bool> isGoal(Index(topology.VertexCount()), joins);
+  // Cycles need the paths to all vertices.
+  const bool hasCycles = !topology.cycles.empty();
+  std::vector<bool> isGoal(Index(topology.VertexCount()), hasCycles);
   for (const int vertex : singular)
   {
     isGoal[vertex] = true;
   }
-  const ShortestPaths paths = FindPathsInwards(topology, isGoal);
+  const ShortestPaths paths =
+    FindPathsInwards(topology, isGoal, singular.empty() ? 0 : singular.front());
   for (const int vertex : singular)
   {
     CutPath(topology, paths, vertex, cut.isCut);
   }
-  if (joins)
+  if (hasCycles)
   {
-    JoinLoops(topology, paths, cut.isCut);
+    CutCycles(topology, paths, cut.isCut);
+    Prune(topology, singular, cut.isCut);
   }
   cut.chains = FindChains(topology, cut.isCut, singular);
   NumberCorners(topology, cut);

@@ -6,7 +6,7 @@ namespace crossfield
 {
 /// Edges along which a domain is cut so that it becomes simply connected and has every singularity
 /// on its boundary (docs/method.md §12.2): shortest edge paths from each singularity to the
-/// boundary, and between boundary loops.
+/// boundary, or on a closed surface to the first one, between boundary loops, and around handles.
 struct CutGraph
 {
   /// A maximal path of cut edges that passes only through vertices with two cut edges, which are

@@ -1,0 +1,158 @@
+#include "Support.h"
+#include "SurfaceMap.h"
+#include "SurfaceTopology.h"
+#include "Surfaces.h"
+#include "TMeshPatches.h"
+
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+std::shared_ptr<const SurfaceTopology> TopologyOf(const SurfaceMesh& surface)
+{
+  return std::make_shared<const SurfaceTopology>(surface);
+}
+
+double AreaOf(const MeshTopology& topology)
+{
+  double area = 0.0;
+  for (int t = 0; t < topology.TriangleCount(); ++t)
+  {
+    area += topology.AreaOf(t);
+  }
+  return area;
+}
+
+/// Cones of index 1 at the first vertices.
+std::vector<Cone> ConesAtFirst(int count)
+{
+  std::vector<Cone> cones;
+  for (int vertex = 0; vertex < count; ++vertex)
+  {
+    cones.push_back({ vertex, 1, false, vertex });
+  }
+  return cones;
+}
+
+TMesh TMeshOf(const SeamlessMap& map)
+{
+  return MakeTMesh(map, TraceSeparatrices(map));
+}
+
+TEST(SurfaceMap, OfTheSphereHasTheFacesOfACube)
+{
+  for (const int n : { 4, 12 })
+  {
+    const SeamlessMap map = SolveSurfaceMap(TopologyOf(CubedSphere(n)), ConesAtFirst(8));
+    const TMesh mesh = TMeshOf(map);
+    EXPECT_EQ(mesh.patches.size(), 6u);
+    ASSERT_EQ(mesh.arcs.size(), 12u);
+    for (const TArc& arc : mesh.arcs)
+    {
+      EXPECT_NEAR(arc.length, std::sqrt(AreaOf(*map.topology) / 6.0), 1e-9);
+    }
+  }
+}
+
+TEST(SurfaceMap, OfTheHemisphereHasFiveFaces)
+{
+  // The first four corners of the cube in the upper half; its boundary has no corners.
+  const SurfaceMesh half = Hemisphere(12);
+  std::vector<Cone> cones;
+  for (int vertex = 0; vertex < static_cast<int>(half.points.size()); ++vertex)
+  {
+    if ((half.points[vertex].cwiseAbs().array() - std::sqrt(1.0 / 3.0)).abs().maxCoeff() < 1e-9)
+    {
+      cones.push_back({ vertex, 1, false, static_cast<int>(cones.size()) });
+    }
+  }
+  ASSERT_EQ(cones.size(), 4u);
+  const auto topology = TopologyOf(half);
+  const TMesh mesh = TMeshOf(SolveSurfaceMap(topology, cones));
+  EXPECT_EQ(mesh.patches.size(), 5u);
+  ASSERT_EQ(mesh.arcs.size(), 12u);
+  // Half of a cube: four edges are halves.
+  std::vector<double> lengths;
+  for (const TArc& arc : mesh.arcs)
+  {
+    lengths.push_back(arc.length);
+  }
+  std::sort(lengths.begin(), lengths.end());
+  const double side = std::sqrt(AreaOf(*topology) / 3.0);
+  EXPECT_NEAR(lengths[0], 0.5 * side, 1e-9);
+  EXPECT_NEAR(lengths[3], 0.5 * side, 1e-9);
+  EXPECT_NEAR(lengths[4], side, 1e-9);
+  EXPECT_NEAR(lengths[11], side, 1e-9);
+}
+
+TEST(SurfaceMap, OfATorusClosesUpAroundBothCircles)
+{
+  // e^H = R + cos v, so the map is a rectangle with sides in the ratio √(R² − 1).
+  constexpr double R = 2.5;
+  std::vector<double> errors;
+  for (const int n : { 12, 24 })
+  {
+    const SeamlessMap map = SolveSurfaceMap(TopologyOf(Torus(R, 5 * n / 2, n)), {});
+    EXPECT_FALSE(map.transitions.empty());
+    Point sides = Point::Zero(); // crosses are along the circles
+    for (const SeamTransition& transition : map.transitions)
+    {
+      EXPECT_EQ(transition.rotation, 0);
+      sides = sides.cwiseMax(transition.translation.cwiseAbs());
+    }
+    errors.push_back(std::abs(sides.maxCoeff() / sides.minCoeff() - std::sqrt(R * R - 1.0)));
+  }
+  EXPECT_LT(errors[1], 0.3 * errors[0]);
+  EXPECT_LT(errors[1], 0.02);
+}
+
+TEST(SurfaceMap, IsThatOfThePlaneWhenAMeshIsBent)
+{
+  Random random(555);
+  constexpr int N = 12;
+  const TriangleMesh mesh = GridOfSquare(N);
+  std::vector<double> angles;
+  for (int i = 0; i < N; ++i)
+  {
+    angles.push_back(random.Uniform(-3.0, 3.0));
+  }
+  std::vector<Cone> cones = { { 4 * (N + 1) + 5, 1, false, 0 }, { 8 * (N + 1) + 7, -1, false, 1 } };
+  for (const int corner : { 0, N, N * (N + 1), (N + 1) * (N + 1) - 1 })
+  {
+    cones.push_back({ corner, 1, true, -1 });
+  }
+  const TMesh planar = TMeshOf(SolveSurfaceMap(ShareTopology(mesh), cones));
+  const TMesh bent =
+    TMeshOf(SolveSurfaceMap(TopologyOf(Turn(Bend(mesh, 1.0 / N, angles), 0.7)), cones));
+  EXPECT_EQ(planar.patches.size(), bent.patches.size());
+  ASSERT_EQ(planar.arcs.size(), bent.arcs.size());
+  const auto lengths = [](const TMesh& of)
+  {
+    std::vector<double> all;
+    for (const TArc& arc : of.arcs)
+    {
+      all.push_back(arc.length);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  for (std::size_t a = 0; a < planar.arcs.size(); ++a)
+  {
+    EXPECT_NEAR(lengths(planar)[a], lengths(bent)[a], 1e-10);
+  }
+}
+
+TEST(SurfaceMap, RefusesWhatNoMapHas)
+{
+  const SurfaceMesh sphere = CubedSphere(4);
+  std::vector<Cone> cones = ConesAtFirst(6);
+  cones.front().quarterIndex = 3;
+  EXPECT_TRUE(Refuses([&] { SolveSurfaceMap(TopologyOf(sphere), cones); },
+    { "The singularity at (", "quarter index 3" }));
+  EXPECT_TRUE(Refuses(
+    [&] { SolveSurfaceMap(TopologyOf(sphere), ConesAtFirst(7)); }, { "add up to 7", "4χ = 8" }));
+}
+}
+}
