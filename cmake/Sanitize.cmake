@@ -10,8 +10,10 @@ add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-
 # the memory of the sanitizer and abort at start.
 add_link_options(-fsanitize=address,undefined -no-pie --coverage)
 # Options of the code whose coverage is measured, and of the code that fuzzers explore.
-set(CROSSFIELD_COVERAGE_OPTIONS --coverage)
-set(CROSSFIELD_FUZZER_OPTIONS -fsanitize=fuzzer-no-link)
+# Functions of libraries in headers are not counted: with them, tests take twice as long.
+set(CROSSFIELD_COVERAGE_OPTIONS --coverage "-fprofile-exclude-files=/usr/.*")
+set(CROSSFIELD_FUZZER_OPTIONS -fsanitize=fuzzer-no-link
+  "-fsanitize-coverage-ignorelist=${CMAKE_SOURCE_DIR}/tests/checked/not_counted.txt")
 
 # Source with the options of the sanitizers at run time; every executable has it.
 set(CROSSFIELD_SANITIZER_SOURCE "${CMAKE_SOURCE_DIR}/tests/checked/SanitizerOptions.cxx")
