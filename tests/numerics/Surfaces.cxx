@@ -1,5 +1,7 @@
 #include "Surfaces.h"
 
+#include "Support.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -155,30 +157,23 @@ TriangleMesh GridOfSquare(int n)
   return mesh;
 }
 
-SurfaceMesh Bend(const TriangleMesh& mesh, double h, const std::vector<double>& angles)
+SurfaceMesh BentAtRandom(const TriangleMesh& mesh, int n, unsigned seed)
 {
+  Random random(seed);
+  const Eigen::AngleAxisd turn(0.7, SpacePoint(1.0, 2.0, 3.0).normalized());
   std::vector<SpacePoint> lines = { SpacePoint::Zero() };
-  for (const double angle : angles)
+  for (int i = 0; i < n; ++i)
   {
-    lines.push_back(lines.back() + h * SpacePoint(std::cos(angle), 0.0, std::sin(angle)));
+    const double angle = random.Uniform(-3.0, 3.0);
+    lines.push_back(lines.back() + SpacePoint(std::cos(angle), 0.0, std::sin(angle)) / n);
   }
   SurfaceMesh surface;
   for (const Point& point : mesh.points)
   {
-    const auto column = static_cast<std::size_t>(std::lround(point.x() / h));
-    surface.points.push_back(lines.at(column) + SpacePoint(0.0, point.y(), 0.0));
+    const auto line = static_cast<std::size_t>(std::lround(point.x() * n));
+    surface.points.push_back(turn * (lines[line] + SpacePoint(0.0, point.y(), 0.0)));
   }
   surface.triangles = mesh.triangles;
-  return surface;
-}
-
-SurfaceMesh Turn(SurfaceMesh surface, double angle)
-{
-  const Eigen::AngleAxisd turn(angle, SpacePoint(1.0, 2.0, 3.0).normalized());
-  for (SpacePoint& point : surface.points)
-  {
-    point = turn * point;
-  }
   return surface;
 }
 }

@@ -10,7 +10,7 @@ namespace crossfield::test
 /// whose corners are its first eight points.
 SurfaceMesh CubedSphere(int n);
 
-/// Returns the part of that sphere with z ≥ 0; n is even. The points on it are those of the sphere.
+/// Returns the part of that sphere with z ≥ 0; n is even.
 SurfaceMesh Hemisphere(int n);
 
 /// Returns the torus of circles of radius 1 around a circle of radius R > 1, as m × n quadrilaterals that
@@ -20,10 +20,7 @@ SurfaceMesh Torus(double R, int m, int n);
 /// Returns the unit square as n × n squares, each cut into two triangles.
 TriangleMesh GridOfSquare(int n);
 
-/// Bends a planar mesh with its vertices on lines x = i h, along these lines: column i has the direction
-/// angles[i] in the plane of x and z. Lengths stay.
-SurfaceMesh Bend(const TriangleMesh& mesh, double h, const std::vector<double>& angles);
-
-/// Turns a surface about the axis (1, 2, 3).
-SurfaceMesh Turn(SurfaceMesh surface, double angle);
+/// Bends a mesh with its vertices on the lines x = i / n along these lines: each strip between two of them gets a
+/// random direction in the plane of x and z. Then turns it. Lengths stay.
+SurfaceMesh BentAtRandom(const TriangleMesh& mesh, int n, unsigned seed);
 }

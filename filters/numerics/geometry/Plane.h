@@ -24,6 +24,7 @@ inline SpacePoint InSpace(const Point& point)
   return { point.x(), point.y(), 0.0 };
 }
 
+/// Returns points of the plane z = 0.
 std::vector<SpacePoint> InSpace(const std::vector<Point>& points);
 
 /// Returns the z component of a × b.

@@ -165,8 +165,7 @@ PhaseSteps StepsOf(const VertexPotential& potential, const VertexPotential::Solu
         const Point centre = topology.CentreOf(t);
         for (int side = 0; side < 3; ++side)
         {
-          const Point middle = 0.5 * (topology.At(t, side) + topology.At(t, (side + 1) % 3));
-          steps.toSide[t][side] = Cross(gradient.col(t), middle - centre);
+          steps.toSide[t][side] = Cross(gradient.col(t), topology.MiddleOf(t, side) - centre);
         }
       }
     });

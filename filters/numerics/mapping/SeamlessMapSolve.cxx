@@ -49,12 +49,7 @@ std::vector<Cone> FindCones(
       continue;
     }
     const std::string where = Describe(singularity.position);
-    if (singularity.quarterIndex > 2)
-    {
-      throw Error("The singularity at " + where + " has quarter index " +
-        std::to_string(singularity.quarterIndex) +
-        ", which no node of a quad mesh has; split it into several of index 1.");
-    }
+    RequireAngle({ -1, singularity.quarterIndex, false, -1 }, where);
     const int vertex = VertexAt(topology, singularity.position, reach);
     if (vertex < 0 && SignedDistance(singularity.position, { topology.AlignedLoops() }) < 0.0)
     {
@@ -70,13 +65,7 @@ std::vector<Cone> FindCones(
   }
   for (const CountedCorner& corner : count.corners)
   {
-    if (corner.quarterIndex > 1)
-    {
-      throw Error("The corner at " + Describe(corner.position) + " has quarter index " +
-        std::to_string(corner.quarterIndex) +
-        " and so no angle in a seamless map; cap corners, or choose index 1 for it, and add the "
-        "difference to the singularities inside.");
-    }
+    RequireAngle({ -1, corner.quarterIndex, true, -1 }, Describe(corner.position));
     if (corner.quarterIndex != 0)
     {
       cones.push_back({ topology.VertexOf(corner), corner.quarterIndex, true, -1 });
@@ -105,11 +94,6 @@ TriangleFrames SolveFrames(const SharedPlanarTopology& topology,
   return frames;
 }
 
-std::string Degrees(double radians)
-{
-  return std::to_string(static_cast<int>(std::round(radians * 180.0 / Pi))) + "°";
-}
-
 /// Returns a number with one decimal.
 std::string Rounded(double value)
 {
@@ -122,10 +106,7 @@ std::string Rounded(double value)
 [[noreturn]] void Refuse(
   const MapFault& fault, const FlatteningReport& report, const std::vector<double>& holonomyDefect)
 {
-  const std::string what = fault.reversed > 0 ? "The seamless map folds over in " +
-      std::to_string(fault.reversed) + " triangles, the first near " + fault.where
-                                              : "The angles of the seamless map at " + fault.where +
-      " add up to " + Degrees(fault.angleSum) + " instead of " + Degrees(fault.expectedSum);
+  const std::string what = DescribeFault(fault);
   const auto worst = std::max_element(holonomyDefect.begin(), holonomyDefect.end(),
     [](double a, double b) { return std::abs(a) < std::abs(b); });
   // Radians of the phase: one degree of the crosses.

@@ -19,12 +19,7 @@ std::vector<int> QuartersOf(const MeshTopology& topology, const std::vector<Cone
   std::vector<int> quarters(static_cast<std::size_t>(topology.VertexCount()), 0);
   for (const Cone& cone : cones)
   {
-    if (cone.Quarters() < (cone.onBoundary ? 1 : 2))
-    {
-      throw Error("The " + std::string(cone.onBoundary ? "corner" : "singularity") + " at " +
-        topology.Where(cone.vertex) + " has quarter index " + std::to_string(cone.quarterIndex) +
-        ", which no node of a quad mesh has; split it into several of index 1.");
-    }
+    RequireAngle(cone, topology.Where(cone.vertex));
     quarters[cone.vertex] += cone.quarterIndex;
   }
   return quarters;
@@ -60,11 +55,8 @@ SeamlessMap SolveSurfaceMap(
     { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 1.0));
   if (const auto fault = FindFault(map))
   {
-    throw Error(fault->reversed > 0
-        ? "The map of the surface folds over in " + std::to_string(fault->reversed) +
-          " triangles, the first near " + fault->where
-        : "The angles of the map of the surface do not add up at " + fault->where,
-      "use a finer mesh there, or move singularities away from each other",
+    throw Error(DescribeFault(*fault),
+      "use a finer mesh, or move singularities away from each other and from the boundary",
       Error::Kind::CoarseMesh);
   }
   map.holonomyDefect = std::move(solution.holonomyDefect);

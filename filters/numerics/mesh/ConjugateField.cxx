@@ -150,10 +150,8 @@ private:
   /// Continues values from the midpoint of one edge of a triangle to that of another.
   void Step(int t, int i, int other, const Eigen::VectorXd& from, Eigen::VectorXd& to) const
   {
-    const auto middle = [&](int side) -> Point
-    { return 0.5 * (this->Topology.At(t, side) + this->Topology.At(t, (side + 1) % 3)); };
-    const Point start = middle(i);
-    const Point end = middle(other);
+    const Point start = this->Topology.MiddleOf(t, i);
+    const Point end = this->Topology.MiddleOf(t, other);
     const double turn =
       SumOfTurns(this->Logs.data(), this->Logs.data() + this->Logs.size(), start, end);
     for (Eigen::Index c = 0; c < this->Functions; ++c)

@@ -3,6 +3,7 @@
 #include "TriangleArea.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace crossfield
@@ -89,8 +90,24 @@ double MeshTopology::Length(int edge) const
   return (this->At(triangle, (side + 1) % 3) - this->At(triangle, side)).norm();
 }
 
+double MeshTopology::DirectionOf(int triangle, int side) const
+{
+  const Point along = this->At(triangle, (side + 1) % 3) - this->At(triangle, side);
+  return std::atan2(along.y(), along.x());
+}
+
 double MeshTopology::AreaOf(int triangle) const
 {
   return TriangleArea(this->At(triangle, 0), this->At(triangle, 1), this->At(triangle, 2));
+}
+
+double MeshTopology::Area() const
+{
+  double area = 0.0;
+  for (int t = 0; t < this->TriangleCount(); ++t)
+  {
+    area += this->AreaOf(t);
+  }
+  return area;
 }
 }

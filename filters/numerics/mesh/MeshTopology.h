@@ -88,8 +88,17 @@ struct MeshTopology
   {
     return charts ? charts->hinges[triangle][side] : 0.0;
   }
+  /// Returns the midpoint of a side of a triangle, in its chart.
+  Point MiddleOf(int triangle, int side) const
+  {
+    return 0.5 * (At(triangle, side) + At(triangle, (side + 1) % 3));
+  }
+  /// Returns the direction of a side of a triangle in its chart, with the triangle on its left, in radians.
+  double DirectionOf(int triangle, int side) const;
   double Length(int edge) const;
   double AreaOf(int triangle) const;
+  /// Returns the area of all triangles.
+  double Area() const;
   /// Returns 2π minus the sum of the angles at a vertex inside: 0 in the plane.
   double CurvatureAt(int vertex) const { return charts ? charts->curvature[vertex] : 0.0; }
   /// Returns the position of a vertex: its point in the plane, with z = 0.

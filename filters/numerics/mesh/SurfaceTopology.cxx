@@ -5,7 +5,6 @@
 #include "UnionFind.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -225,11 +224,6 @@ SurfaceTopology::SurfaceTopology(SurfaceMesh surface)
   }
   this->charts->positions = std::move(surface.points);
 
-  const auto direction = [this](int triangle, int side)
-  {
-    const Point along = this->At(triangle, (side + 1) % 3) - this->At(triangle, side);
-    return std::atan2(along.y(), along.x());
-  };
   this->charts->hinges.assign(this->mesh.triangles.size(), { 0.0, 0.0, 0.0 });
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(this->VertexCount());
   for (int t = 0; t < this->TriangleCount(); ++t)
@@ -244,7 +238,8 @@ SurfaceTopology::SurfaceTopology(SurfaceMesh surface)
       {
         // Both triangles pass their edge, in opposite directions.
         const int back = this->SideOf(neighbour, this->EdgeOf(t, i));
-        this->charts->hinges[t][i] = WrapAngle(direction(neighbour, back) + Pi - direction(t, i));
+        this->charts->hinges[t][i] =
+          WrapAngle(this->DirectionOf(neighbour, back) + Pi - this->DirectionOf(t, i));
       }
     }
   }
@@ -256,8 +251,5 @@ SurfaceTopology::SurfaceTopology(SurfaceMesh surface)
     this->corners[vertex] = IsCorner(this->turning[i]);
     this->charts->curvature[vertex] = 0.0;
   }
-  // χ = 2 − 2g − b
-  this->genus =
-    (2 - this->edges.EulerCharacteristic(this->mesh) - static_cast<int>(this->loops.size())) / 2;
 }
 }

@@ -13,7 +13,5 @@ struct SurfaceTopology : MeshTopology
   /// oriented, without degenerate triangles and a manifold: at most two triangles at an edge, and one fan
   /// of triangles at a point.
   explicit SurfaceTopology(SurfaceMesh surface);
-
-  int genus = 0;
 };
 }

@@ -137,20 +137,26 @@ void CutCycles(const MeshTopology& topology, const ShortestPaths& paths, std::ve
   }
 }
 
-/// Removes cut edges that lead to a vertex inside that is not singular, and no farther.
-void Prune(const MeshTopology& topology, const std::vector<int>& singular, std::vector<bool>& isCut)
+/// Returns the cut edges at every vertex.
+std::vector<std::vector<int>> CutEdgesAt(
+  const MeshTopology& topology, const std::vector<bool>& isCut)
 {
   std::vector<std::vector<int>> cutAt(Index(topology.VertexCount()));
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
-    for (const int vertex : topology.edges.vertices[e])
+    if (isCut[e])
     {
-      if (isCut[e])
-      {
-        cutAt[vertex].push_back(e);
-      }
+      cutAt[topology.edges.vertices[e][0]].push_back(e);
+      cutAt[topology.edges.vertices[e][1]].push_back(e);
     }
   }
+  return cutAt;
+}
+
+/// Removes paths of cut edges that end inside at a vertex that is not singular.
+void Prune(const MeshTopology& topology, const std::vector<int>& singular, std::vector<bool>& isCut)
+{
+  std::vector<std::vector<int>> cutAt = CutEdgesAt(topology, isCut);
   std::vector<bool> isKept(cutAt.size(), false);
   for (const int vertex : singular)
   {
@@ -180,15 +186,7 @@ std::vector<CutGraph::Chain> FindChains(
   const MeshTopology& topology, const std::vector<bool>& isCut, const std::vector<int>& singular)
 {
   const std::size_t count = Index(topology.VertexCount());
-  std::vector<std::vector<int>> cutAt(count);
-  for (int e = 0; e < topology.edges.Count(); ++e)
-  {
-    if (isCut[e])
-    {
-      cutAt[topology.edges.vertices[e][0]].push_back(e);
-      cutAt[topology.edges.vertices[e][1]].push_back(e);
-    }
-  }
+  const std::vector<std::vector<int>> cutAt = CutEdgesAt(topology, isCut);
   std::vector<bool> isNode(count, false);
   for (std::size_t v = 0; v < count; ++v)
   {

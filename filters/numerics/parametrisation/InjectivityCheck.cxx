@@ -4,6 +4,16 @@
 
 namespace crossfield
 {
+std::string DescribeFault(const MapFault& fault)
+{
+  const auto degrees = [](double radians)
+  { return std::to_string(static_cast<int>(std::round(radians * 180.0 / Pi))) + "°"; };
+  return fault.reversed > 0 ? "The seamless map folds over in " + std::to_string(fault.reversed) +
+      " triangles, the first near " + fault.where
+                            : "The angles of the seamless map at " + fault.where + " add up to " +
+      degrees(fault.angleSum) + " instead of " + degrees(fault.expectedSum);
+}
+
 std::optional<MapFault> FindFault(const SeamlessMap& map)
 {
   const MeshTopology& topology = *map.topology;

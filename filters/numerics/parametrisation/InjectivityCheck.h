@@ -17,6 +17,9 @@ struct MapFault
   double expectedSum = 0.0;
 };
 
+/// Returns a clause that says what is wrong, with the place.
+std::string DescribeFault(const MapFault& fault);
+
 /// Returns the first fault of a map: triangles that are not positive, or a vertex at which the
 /// angles do not add up. Without a fault the map is locally injective (docs/method.md §12.1).
 std::optional<MapFault> FindFault(const SeamlessMap& map);

@@ -1,5 +1,6 @@
 #include "SeamlessMap.h"
 
+#include "Error.h"
 #include "TriangleArea.h"
 
 #include <Eigen/Geometry>
@@ -9,6 +10,22 @@
 
 namespace crossfield
 {
+void RequireAngle(const Cone& cone, const std::string& where)
+{
+  const std::string index = " has quarter index " + std::to_string(cone.quarterIndex);
+  if (cone.onBoundary && cone.quarterIndex > 1)
+  {
+    throw Error("The corner at " + where + index +
+      " and so no angle in a seamless map; cap corners, or choose index 1 for it, and add the "
+      "difference to the singularities inside.");
+  }
+  if (!cone.onBoundary && cone.quarterIndex > 2)
+  {
+    throw Error("The singularity at " + where + index +
+      ", which no node of a quad mesh has; split it into several of index 1.");
+  }
+}
+
 SeamTransition SeamlessMap::Across(int triangle, int side) const
 {
   const int seam = this->seams[triangle][side];

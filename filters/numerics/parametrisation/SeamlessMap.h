@@ -54,6 +54,10 @@ struct Cone
   int Quarters() const { return (this->onBoundary ? 2 : 4) - this->quarterIndex; }
 };
 
+/// Throws Error, with a place, if a cone has no angle in the map of a quad mesh: for quarter indices above 2
+/// inside and above 1 on the boundary.
+void RequireAngle(const Cone& cone, const std::string& where);
+
 /// The seamless map of a cross field: w = u + iv with dw = e^{−(H + iθ)} dz on the mesh cut open
 /// (docs/method.md §12), or the nearest map if inner loops have a holonomy defect. In the map
 /// crosses are parallel to the axes and sides of the boundary are axis-parallel segments; across a

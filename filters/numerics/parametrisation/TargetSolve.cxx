@@ -128,11 +128,7 @@ void StoreScaled(const Eigen::VectorXd& free,
 {
   const Eigen::VectorXd w = prolongation * free;
   StorePoints(w, map);
-  double area = 0.0;
-  for (int t = 0; t < map.topology->TriangleCount(); ++t)
-  {
-    area += map.topology->AreaOf(t);
-  }
+  const double area = map.topology->Area();
   map.residual = std::sqrt(std::max(0.0, poisson.ObjectiveAt(map, w)) / area);
   const double scale = std::sqrt(area / std::abs(MapArea(map)));
   StorePoints(prolongation * RoundFree(scale * free, scale * map.Extent()), map);

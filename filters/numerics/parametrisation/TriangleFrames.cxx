@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace crossfield
@@ -27,18 +26,13 @@ public:
   /// the first side of its first triangle, where crosses are along it, and returns it at every centre.
   const Eigen::VectorXd& Continue()
   {
-    int first = 0;
-    if (this->Topology.loops.empty())
-    {
-      this->Phase[first] = this->PhaseAlong(first, 0) - this->StepTo(first, 0);
-    }
-    else
-    {
-      const int position = this->Topology.loops.front().edges.front();
-      int side = 0;
-      std::tie(first, side) = this->Topology.SideOfBoundary(position);
-      this->Phase[first] = this->BoundaryPhase(position) - this->StepTo(first, side);
-    }
+    const bool isClosed = this->Topology.loops.empty();
+    const int position = isClosed ? -1 : this->Topology.loops.front().edges.front();
+    const auto [first, side] =
+      isClosed ? std::make_pair(0, 0) : this->Topology.SideOfBoundary(position);
+    const double phase =
+      isClosed ? 4.0 * this->Topology.DirectionOf(0, 0) : this->BoundaryPhase(position);
+    this->Phase[first] = phase - this->StepTo(first, side);
     SearchTriangles(
       this->Topology.TriangleCount(), { first },
       [this](int t, int i) { return this->Topology.Neighbour(t, i); },
@@ -85,20 +79,12 @@ private:
 
   double StepTo(int triangle, int side) const { return this->Steps.toSide[triangle][side]; }
 
-  /// Returns the phase of the cross along a side of a triangle, in its chart.
-  double PhaseAlong(int triangle, int side) const
-  {
-    const Point along =
-      this->Topology.At(triangle, (side + 1) % 3) - this->Topology.At(triangle, side);
-    return 4.0 * std::atan2(along.y(), along.x());
-  }
-
   /// Returns the phase of the cross along a boundary edge, at its midpoint, in the chart of its
   /// triangle.
   double BoundaryPhase(int position) const
   {
     const auto [triangle, side] = this->Topology.SideOfBoundary(position);
-    return this->PhaseAlong(triangle, side) + this->Steps.boundaryShift[position];
+    return 4.0 * this->Topology.DirectionOf(triangle, side) + this->Steps.boundaryShift[position];
   }
 
   /// Returns the phase of a triangle, continued to the centre of its neighbour across a side.

@@ -2,7 +2,6 @@
 
 #include "Error.h"
 
-#include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -39,11 +38,6 @@ Eigen::VectorXd SourcesOfCurvature(const PotentialOperator& laplacian)
 /// phase follows the boundary at both ends of a strip, or returns to itself, modulo 2π.
 double WantedPhase(const MeshTopology& topology, const Cycle& cycle)
 {
-  const auto directionOf = [&topology](int triangle, int side)
-  {
-    const Point along = topology.At(triangle, (side + 1) % 3) - topology.At(triangle, side);
-    return std::atan2(along.y(), along.x());
-  };
   double angle = 0.0;
   for (std::size_t i = 0; i < cycle.steps.size(); ++i)
   {
@@ -55,8 +49,8 @@ double WantedPhase(const MeshTopology& topology, const Cycle& cycle)
   }
   if (!cycle.IsClosed())
   {
-    angle += directionOf(cycle.steps.front().triangle, cycle.steps.front().entry) -
-      directionOf(cycle.steps.back().triangle, cycle.steps.back().exit);
+    angle += topology.DirectionOf(cycle.steps.front().triangle, cycle.steps.front().entry) -
+      topology.DirectionOf(cycle.steps.back().triangle, cycle.steps.back().exit);
   }
   return 4.0 * angle;
 }

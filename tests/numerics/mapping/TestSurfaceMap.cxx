@@ -15,16 +15,6 @@ std::shared_ptr<const SurfaceTopology> TopologyOf(const SurfaceMesh& surface)
   return std::make_shared<const SurfaceTopology>(surface);
 }
 
-double AreaOf(const MeshTopology& topology)
-{
-  double area = 0.0;
-  for (int t = 0; t < topology.TriangleCount(); ++t)
-  {
-    area += topology.AreaOf(t);
-  }
-  return area;
-}
-
 /// Cones of index 1 at the first vertices.
 std::vector<Cone> ConesAtFirst(int count)
 {
@@ -51,7 +41,7 @@ TEST(SurfaceMap, OfTheSphereHasTheFacesOfACube)
     ASSERT_EQ(mesh.arcs.size(), 12u);
     for (const TArc& arc : mesh.arcs)
     {
-      EXPECT_NEAR(arc.length, std::sqrt(AreaOf(*map.topology) / 6.0), 1e-9);
+      EXPECT_NEAR(arc.length, std::sqrt(map.topology->Area() / 6.0), 1e-9);
     }
   }
 }
@@ -80,7 +70,7 @@ TEST(SurfaceMap, OfTheHemisphereHasFiveFaces)
     lengths.push_back(arc.length);
   }
   std::sort(lengths.begin(), lengths.end());
-  const double side = std::sqrt(AreaOf(*topology) / 3.0);
+  const double side = std::sqrt(topology->Area() / 3.0);
   EXPECT_NEAR(lengths[0], 0.5 * side, 1e-9);
   EXPECT_NEAR(lengths[3], 0.5 * side, 1e-9);
   EXPECT_NEAR(lengths[4], side, 1e-9);
@@ -110,22 +100,15 @@ TEST(SurfaceMap, OfATorusClosesUpAroundBothCircles)
 
 TEST(SurfaceMap, IsThatOfThePlaneWhenAMeshIsBent)
 {
-  Random random(555);
   constexpr int N = 12;
   const TriangleMesh mesh = GridOfSquare(N);
-  std::vector<double> angles;
-  for (int i = 0; i < N; ++i)
-  {
-    angles.push_back(random.Uniform(-3.0, 3.0));
-  }
   std::vector<Cone> cones = { { 4 * (N + 1) + 5, 1, false, 0 }, { 8 * (N + 1) + 7, -1, false, 1 } };
   for (const int corner : { 0, N, N * (N + 1), (N + 1) * (N + 1) - 1 })
   {
     cones.push_back({ corner, 1, true, -1 });
   }
   const TMesh planar = TMeshOf(SolveSurfaceMap(ShareTopology(mesh), cones));
-  const TMesh bent =
-    TMeshOf(SolveSurfaceMap(TopologyOf(Turn(Bend(mesh, 1.0 / N, angles), 0.7)), cones));
+  const TMesh bent = TMeshOf(SolveSurfaceMap(TopologyOf(BentAtRandom(mesh, N, 555)), cones));
   EXPECT_EQ(planar.patches.size(), bent.patches.size());
   ASSERT_EQ(planar.arcs.size(), bent.arcs.size());
   const auto lengths = [](const TMesh& of)
@@ -144,6 +127,15 @@ TEST(SurfaceMap, IsThatOfThePlaneWhenAMeshIsBent)
   }
 }
 
+TEST(SurfaceMap, RefusesHandlesAroundWhichCrossesDoNotClose)
+{
+  const auto topology = TopologyOf(Torus(2.5, 30, 12));
+  const std::vector<Cone> cones = { { 5, 1, false, 0 }, { 100, 1, false, 1 }, { 207, -1, false, 2 },
+    { 333, -1, false, 3 } };
+  EXPECT_TRUE(Refuses(
+    [&] { SolveSurfaceMap(topology, cones); }, { "do not close up around the handle near (" }));
+}
+
 TEST(SurfaceMap, RefusesWhatNoMapHas)
 {
   const SurfaceMesh sphere = CubedSphere(4);
@@ -153,6 +145,9 @@ TEST(SurfaceMap, RefusesWhatNoMapHas)
     { "The singularity at (", "quarter index 3" }));
   EXPECT_TRUE(Refuses(
     [&] { SolveSurfaceMap(TopologyOf(sphere), ConesAtFirst(7)); }, { "add up to 7", "4χ = 8" }));
+  const std::vector<Cone> sharp = { { 0, 2, true, -1 } };
+  EXPECT_TRUE(Refuses([&] { SolveSurfaceMap(ShareTopology(GridOfSquare(4)), sharp); },
+    { "The corner at (0, 0)", "quarter index 2", "choose index 1" }));
 }
 }
 }

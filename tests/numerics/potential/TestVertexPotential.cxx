@@ -95,15 +95,9 @@ TEST(VertexPotential, IsExactAtSecondOrderOnTheTorus)
 
 TEST(VertexPotential, IsThatOfThePlaneWhenAMeshIsBent)
 {
-  Random random(554);
   constexpr int N = 12;
   const TriangleMesh mesh = GridOfSquare(N);
-  std::vector<double> angles;
-  for (int i = 0; i < N; ++i)
-  {
-    angles.push_back(random.Uniform(-3.0, 3.0));
-  }
-  const auto bent = std::make_shared<const SurfaceTopology>(Turn(Bend(mesh, 1.0 / N, angles), 0.7));
+  const auto bent = std::make_shared<const SurfaceTopology>(BentAtRandom(mesh, N, 554));
   std::vector<int> quarters(mesh.points.size(), 0);
   for (const int corner : { 0, N, N * (N + 1), (N + 1) * (N + 1) - 1 })
   {
