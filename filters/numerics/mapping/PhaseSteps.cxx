@@ -151,6 +151,7 @@ PhaseSteps StepsOf(const VertexPotential& potential, const VertexPotential::Solu
 {
   const MeshTopology& topology = potential.GetTopology();
   const Eigen::MatrixXd gradient = potential.GetOperator().Gradient(solution.potential);
+  const Eigen::MatrixXd shift = potential.GetOperator().Gradient(solution.phaseShift);
   PhaseSteps steps;
   steps.centre.resize(topology.TriangleCount());
   steps.toSide.resize(topology.mesh.triangles.size());
@@ -165,7 +166,8 @@ PhaseSteps StepsOf(const VertexPotential& potential, const VertexPotential::Solu
         const Point centre = topology.CentreOf(t);
         for (int side = 0; side < 3; ++side)
         {
-          steps.toSide[t][side] = Cross(gradient.col(t), topology.MiddleOf(t, side) - centre);
+          const Point step = topology.MiddleOf(t, side) - centre;
+          steps.toSide[t][side] = Cross(gradient.col(t), step) + shift.col(t).dot(step);
         }
       }
     });

@@ -10,6 +10,7 @@ namespace crossfield
 /// which the positions of the logarithms see each step.
 PhaseSteps StepsOf(const PointPotential& potential, const PointPotential::Solution& solution);
 
-/// Returns those of singularities at vertices: of the conjugate of Φ, in the chart of each triangle.
+/// Returns those of singularities at vertices: of the conjugate of Φ and the shift that closes it around
+/// handles, in the chart of each triangle.
 PhaseSteps StepsOf(const VertexPotential& potential, const VertexPotential::Solution& solution);
 }

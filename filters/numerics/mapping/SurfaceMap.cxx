@@ -13,53 +13,51 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the quarter index of each vertex.
-std::vector<int> QuartersOf(const MeshTopology& topology, const std::vector<Cone>& cones)
+/// Throws the error of a map that is not injective.
+[[noreturn]] void Refuse(
+  const MeshTopology& topology, const MapFault& fault, const std::vector<double>& holonomyDefect)
 {
-  std::vector<int> quarters(static_cast<std::size_t>(topology.VertexCount()), 0);
-  for (const Cone& cone : cones)
-  {
-    RequireAngle(cone, topology.Where(cone.vertex));
-    quarters[cone.vertex] += cone.quarterIndex;
-  }
-  return quarters;
-}
-
-/// Throws Error if the phase does not close up around a closed cycle.
-void RequireClosed(const MeshTopology& topology, const std::vector<double>& holonomyDefect)
-{
-  constexpr double Rounding = 1e-6; // as in FrameTriangles
+  const std::string what = DescribeFault(fault);
+  constexpr double Harmless = 4.0 * Pi / 180.0; // one degree of the crosses
   for (std::size_t k = 0; k < holonomyDefect.size(); ++k)
   {
-    if (topology.cycles[k].IsClosed() && std::abs(holonomyDefect[k]) > Rounding)
+    if (std::abs(holonomyDefect[k]) > Harmless)
     {
-      const int triangle = topology.cycles[k].steps.front().triangle;
-      throw Error("Crosses do not close up around the handle near " +
-        topology.Where(topology.mesh.triangles[triangle][0]) + ", by " +
-        CrossAngle(holonomyDefect[k]) + "; move singularities to positions where they do.");
+      const Cycle::Step& step = topology.cycles[k].steps.front();
+      throw Error(what + ", because crosses do not close up around the handle or loop near " +
+          topology.Where(topology.mesh.triangles[step.triangle][step.entry]) + ", by " +
+          CrossAngle(holonomyDefect[k]),
+        "move singularities to positions where they do", Error::Kind::CoarseMesh);
     }
   }
+  throw Error(what,
+    "use a finer mesh, or move singularities away from each other and from the boundary",
+    Error::Kind::CoarseMesh);
 }
 }
 
 SeamlessMap SolveSurfaceMap(
   const SharedTopology& topology, const std::vector<Cone>& cones, const Progress& progress)
 {
-  const std::vector<int> quarters = QuartersOf(*topology, cones);
+  for (const Cone& cone : cones)
+  {
+    RequireAngle(cone, topology->Where(cone.vertex));
+  }
   const VertexPotential potential(topology, progress.Part(0.0, 0.3));
-  VertexPotential::Solution solution = potential.Solve(quarters);
-  RequireClosed(*topology, solution.holonomyDefect);
+  VertexPotential::Solution solution = potential.Solve(QuartersOfVertices(*topology, cones));
   TriangleFrames frames = FrameTriangles(*topology, StepsOf(potential, solution));
   frames.h.array() -= frames.h.mean();
   SeamlessMap map = SolveTargets(
     { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 1.0));
   if (const auto fault = FindFault(map))
   {
-    throw Error(DescribeFault(*fault),
-      "use a finer mesh, or move singularities away from each other and from the boundary",
-      Error::Kind::CoarseMesh);
+    Refuse(*topology, *fault, solution.holonomyDefect);
   }
   map.holonomyDefect = std::move(solution.holonomyDefect);
+  if (map.cones.empty() && topology->loops.empty())
+  {
+    map.cones.push_back({ 0, 0, false, -1 }); // where lines start
+  }
   return map;
 }
 }

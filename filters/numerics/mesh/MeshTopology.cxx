@@ -2,6 +2,8 @@
 
 #include "TriangleArea.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -99,6 +101,13 @@ double MeshTopology::DirectionOf(int triangle, int side) const
 double MeshTopology::AreaOf(int triangle) const
 {
   return TriangleArea(this->At(triangle, 0), this->At(triangle, 1), this->At(triangle, 2));
+}
+
+SpacePoint MeshTopology::NormalOf(int triangle) const
+{
+  const auto& v = this->mesh.triangles[triangle];
+  const SpacePoint origin = this->PositionOf(v[0]);
+  return (this->PositionOf(v[1]) - origin).cross(this->PositionOf(v[2]) - origin).normalized();
 }
 
 double MeshTopology::Area() const

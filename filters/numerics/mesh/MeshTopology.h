@@ -99,6 +99,8 @@ struct MeshTopology
   double AreaOf(int triangle) const;
   /// Returns the area of all triangles.
   double Area() const;
+  /// Returns the unit normal of a triangle in space; in the plane along z.
+  SpacePoint NormalOf(int triangle) const;
   /// Returns 2π minus the sum of the angles at a vertex inside: 0 in the plane.
   double CurvatureAt(int vertex) const { return charts ? charts->curvature[vertex] : 0.0; }
   /// Returns the position of a vertex: its point in the plane, with z = 0.

@@ -26,6 +26,16 @@ void RequireAngle(const Cone& cone, const std::string& where)
   }
 }
 
+std::vector<int> QuartersOfVertices(const MeshTopology& topology, const std::vector<Cone>& cones)
+{
+  std::vector<int> quarters(static_cast<std::size_t>(topology.VertexCount()), 0);
+  for (const Cone& cone : cones)
+  {
+    quarters[cone.vertex] += cone.quarterIndex;
+  }
+  return quarters;
+}
+
 SeamTransition SeamlessMap::Across(int triangle, int side) const
 {
   const int seam = this->seams[triangle][side];

@@ -58,6 +58,9 @@ struct Cone
 /// inside and above 1 on the boundary.
 void RequireAngle(const Cone& cone, const std::string& where);
 
+/// Returns the sum of the quarter indices of the cones at each vertex.
+std::vector<int> QuartersOfVertices(const MeshTopology& topology, const std::vector<Cone>& cones);
+
 /// The seamless map of a cross field: w = u + iv with dw = e^{−(H + iθ)} dz on the mesh cut open
 /// (docs/method.md §12), or the nearest map if inner loops have a holonomy defect. In the map
 /// crosses are parallel to the axes and sides of the boundary are axis-parallel segments; across a

@@ -1,11 +1,14 @@
 #include "TargetSolve.h"
 
+#include "BestAngle.h"
 #include "CoordinateSolve.h"
 #include "Error.h"
 #include "Index.h"
 #include "SeamEquations.h"
 #include "TriangleArea.h"
 #include "TriangleSearch.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +124,31 @@ Eigen::VectorXd RoundFree(const Eigen::VectorXd& free, double extent)
   return free.unaryExpr([unit](double value) { return std::nearbyint(value / unit) * unit; });
 }
 
+/// Returns the free unknowns of a map turned to the best angle.
+Eigen::VectorXd TurnedToBestAngle(const Eigen::VectorXd& free,
+  const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, SeamlessMap& map)
+{
+  using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+  Eigen::VectorXd w = prolongation * free;
+  StorePoints(w, map);
+  const Eigen::Rotation2Dd turn(-BestAngle(map));
+  for (Eigen::Index i = 0; i + 1 < w.size(); i += 2)
+  {
+    w.segment<2>(i) = turn * w.segment<2>(i);
+  }
+  // Quarter turns of seams commute with it, so the result fulfils their equations as well.
+  Eigen::VectorXd turned(free.size());
+  for (Eigen::Index i = 0; i < prolongation.outerSize(); ++i)
+  {
+    const Row first(prolongation, i);
+    if (first && !++Row(first) && first.value() == 1.0)
+    {
+      turned[first.col()] = w[i];
+    }
+  }
+  return turned;
+}
+
 /// Stores the solution for the free unknowns, scaled to the area of the domain.
 void StoreScaled(const Eigen::VectorXd& free,
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, const SeamlessPoisson& poisson,
@@ -156,8 +184,12 @@ SeamlessMap SolveTargets(
   CollectTransitions(cut, targets.jumps, map);
   const auto prolongation =
     EliminateSeams(*map.topology, cut, map.transitions, map.directions, map.cones);
-  StoreScaled(SolveCoordinates(map, targets.poisson, prolongation, progress), prolongation,
-    targets.poisson, map);
+  Eigen::VectorXd free = SolveCoordinates(map, targets.poisson, prolongation, progress);
+  if (map.topology->loops.empty())
+  {
+    free = TurnedToBestAngle(free, prolongation, map);
+  }
+  StoreScaled(free, prolongation, targets.poisson, map);
   return map;
 }
 }

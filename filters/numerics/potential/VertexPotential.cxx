@@ -2,6 +2,8 @@
 
 #include "Error.h"
 
+#include <Eigen/LU>
+
 #include <numeric>
 #include <string>
 #include <utility>
@@ -54,6 +56,33 @@ double WantedPhase(const MeshTopology& topology, const Cycle& cycle)
   }
   return 4.0 * angle;
 }
+
+/// Returns VertexPotential::Growth.
+Eigen::MatrixXd GrowthOf(const PotentialOperator& laplacian, const PeriodResponse& response)
+{
+  const MeshTopology& topology = laplacian.GetTopology();
+  Eigen::MatrixXd growth = response.inverse;
+  const Eigen::MatrixXd gradient = laplacian.Gradient(response.basis);
+  for (Eigen::Index k = 0; k < growth.rows(); ++k)
+  {
+    const Cycle& cycle = topology.cycles[k];
+    if (!cycle.IsClosed())
+    {
+      continue;
+    }
+    growth.row(k).setZero();
+    for (const Cycle::Step& step : cycle.steps)
+    {
+      const Point along =
+        topology.MiddleOf(step.triangle, step.exit) - topology.MiddleOf(step.triangle, step.entry);
+      for (Eigen::Index j = 0; j < growth.cols(); ++j)
+      {
+        growth(k, j) += gradient.block<2, 1>(2 * j, step.triangle).dot(along);
+      }
+    }
+  }
+  return growth;
+}
 }
 
 VertexPotential::VertexPotential(SharedTopology topology, const Progress& progress)
@@ -68,6 +97,22 @@ VertexPotential::VertexPotential(SharedTopology topology, const Progress& progre
   {
     this->Wanted[k] = WantedPhase(mesh, mesh.cycles[k]);
   }
+  this->Growth = GrowthOf(this->Operator, this->Response);
+}
+
+Eigen::VectorXd VertexPotential::ShiftFor(const std::vector<double>& holonomyDefect) const
+{
+  if (this->Growth.size() == 0)
+  {
+    return Eigen::VectorXd::Zero(this->Operator.Rows());
+  }
+  // A source is φ on the first edge minus φ on the last one, so φ is to grow by the defect less.
+  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(this->Growth.rows());
+  for (Eigen::Index k = 0; k < wanted.size(); ++k)
+  {
+    wanted[k] = this->GetTopology().cycles[k].IsClosed() ? -holonomyDefect[k] : 0.0;
+  }
+  return this->Response.basis * this->Growth.fullPivLu().solve(wanted);
 }
 
 VertexPotential::Solution VertexPotential::Solve(const std::vector<int>& quarters) const
@@ -95,6 +140,7 @@ VertexPotential::Solution VertexPotential::Solve(const std::vector<int>& quarter
   {
     result.holonomyDefect.push_back(WrapAngle(this->Wanted[k] - carried[k]));
   }
+  result.phaseShift = this->ShiftFor(result.holonomyDefect);
   return result;
 }
 }

@@ -27,6 +27,9 @@ public:
     /// Per cycle of the mesh, by how much the phase 4θ fails to return to itself, or at both ends of a
     /// strip between loops to the direction of the boundary, in radians, in (−π, π].
     std::vector<double> holonomyDefect;
+    /// The harmonic function of least energy that closes the phase around handles if it is added to it; rows of
+    /// PotentialOperator. Its periods are steps across the strips; it has none around inner loops.
+    Eigen::VectorXd phaseShift;
   };
 
   /// Solves for the quarter indices of all vertices. Throws Error unless they add up to 4χ.
@@ -36,10 +39,15 @@ public:
   const PotentialOperator& GetOperator() const { return this->Operator; }
 
 private:
+  Eigen::VectorXd ShiftFor(const std::vector<double>& holonomyDefect) const;
+
   PotentialOperator Operator;
   PotentialFactor Factor;
   PeriodResponse Response;
   Eigen::VectorXd Curvatures; ///< 4 K_v or 4 τ_v, per row.
   Eigen::VectorXd Wanted;     ///< Phase that fits each cycle, modulo 2π.
+  /// Per cycle a row, per column of the response a column: its growth along a closed strip, its period at
+  /// a strip between loops.
+  Eigen::MatrixXd Growth;
 };
 }

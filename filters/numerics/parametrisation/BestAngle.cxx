@@ -1,0 +1,152 @@
+#include "BestAngle.h"
+
+#include "VertexWays.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace crossfield
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+/// How a triangle is bent against its neighbours.
+struct Bending
+{
+  /// Σ length · angle · e^{2i direction} over its sides, in its chart: the argument is twice the direction of the
+  /// strongest curvature.
+  Complex directed = 0.0;
+  double total = 0.0; ///< Σ length · |angle|.
+};
+
+Bending BendingOf(const MeshTopology& topology, int triangle)
+{
+  const SpacePoint normal = topology.NormalOf(triangle);
+  const auto& v = topology.mesh.triangles[triangle];
+  Bending bending;
+  for (int side = 0; side < 3; ++side)
+  {
+    const int neighbour = topology.Neighbour(triangle, side);
+    if (neighbour < 0)
+    {
+      continue;
+    }
+    const SpacePoint edge = topology.PositionOf(v[(side + 1) % 3]) - topology.PositionOf(v[side]);
+    const SpacePoint other = topology.NormalOf(neighbour);
+    const double part =
+      std::atan2(normal.cross(other).dot(edge), edge.norm() * normal.dot(other)) * edge.norm();
+    bending.directed += part * std::polar(1.0, 2.0 * topology.DirectionOf(triangle, side));
+    bending.total += std::abs(part);
+  }
+  return bending;
+}
+
+/// Returns the mean of e^{4i(direction of curvature − direction of crosses)}, by how much curvatures differ: its
+/// argument is four times the angle by which crosses are to turn, and its absolute value, at most 1, is small
+/// on a sphere.
+Complex PrincipalFit(const SeamlessMap& map)
+{
+  Complex sum = 0.0;
+  double weights = 0.0;
+  for (int t = 0; t < map.topology->TriangleCount(); ++t)
+  {
+    const Bending bending = BendingOf(*map.topology, t);
+    const double area = map.topology->AreaOf(t);
+    const double strength = std::abs(bending.directed);
+    if (strength > 0.0)
+    {
+      sum += area / strength * bending.directed * bending.directed * std::conj(CrossOf(map, t));
+    }
+    weights += area * bending.total;
+  }
+  return weights > 0.0 ? sum / weights : 0.0;
+}
+
+/// Returns an angle modulo π/2 in (−π/4, π/4].
+double WrapQuarter(double angle)
+{
+  return 0.25 * WrapAngle(4.0 * angle);
+}
+
+/// A direction in which straight ways lead from one singularity to another, with the sum of the inverses of
+/// their lengths.
+struct Vote
+{
+  double angle;
+  double weight;
+};
+
+/// Returns the directions of ways, those that only rounding distinguishes as one.
+std::vector<Vote> CollectVotes(const std::vector<ConeWay>& ways)
+{
+  std::vector<Vote> votes;
+  for (const auto& [vector, share] : ways)
+  {
+    votes.push_back({ WrapQuarter(std::atan2(vector.y(), vector.x())), share / vector.norm() });
+  }
+  std::sort(
+    votes.begin(), votes.end(), [](const Vote& a, const Vote& b) { return a.angle < b.angle; });
+  std::vector<Vote> joined;
+  for (const Vote& vote : votes)
+  {
+    if (!joined.empty() && vote.angle - joined.back().angle < AngleRounding)
+    {
+      joined.back().weight += vote.weight;
+    }
+    else
+    {
+      joined.push_back(vote);
+    }
+  }
+  return joined;
+}
+}
+
+std::complex<double> CrossOf(const SeamlessMap& map, int triangle)
+{
+  const auto complex = [](const Point& point) { return Complex(point.x(), point.y()); };
+  const MeshTopology& topology = *map.topology;
+  Eigen::Matrix2d from;
+  Eigen::Matrix2d to;
+  from << topology.At(triangle, 1) - topology.At(triangle, 0),
+    topology.At(triangle, 2) - topology.At(triangle, 0);
+  to << map.At(triangle, 1) - map.At(triangle, 0), map.At(triangle, 2) - map.At(triangle, 0);
+  const Eigen::Matrix2d gradient = to * from.inverse();
+  const Complex derivative =
+    0.5 * (complex(gradient.col(0)) - Complex(0.0, 1.0) * complex(gradient.col(1)));
+  const Complex unit = derivative / std::abs(derivative);
+  return std::conj(unit * unit * unit * unit);
+}
+
+double BestAngle(const SeamlessMap& map)
+{
+  // Lines that miss a singularity by less make thin strips of blocks all over the surface.
+  constexpr double Near = 0.05;
+  const Complex fit = PrincipalFit(map);
+  const std::vector<Vote> votes = CollectVotes(WaysBetweenCones(map));
+  double best = 0.25 * std::arg(fit);
+  double most = 0.0;
+  for (const Vote& one : votes)
+  {
+    double weight = 0.0;
+    for (const Vote& other : votes)
+    {
+      weight +=
+        other.weight * std::max(0.0, 1.0 - std::abs(WrapQuarter(one.angle - other.angle)) / Near);
+    }
+    const double score = weight * (1.0 + (fit * std::polar(1.0, -4.0 * one.angle)).real());
+    // Equal ones differ by rounding, and the first of them is as good as others.
+    constexpr double Equal = 1e-9;
+    if (score > (1.0 + Equal) * most)
+    {
+      most = score;
+      best = one.angle;
+    }
+  }
+  return best;
+}
+}

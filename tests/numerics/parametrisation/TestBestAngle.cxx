@@ -1,0 +1,100 @@
+#include "BestAngle.h"
+#include "Support.h"
+#include "SurfaceMap.h"
+#include "SurfaceTopology.h"
+#include "Surfaces.h"
+#include "TMeshPatches.h"
+#include "VertexWays.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+std::vector<Cone> ConesOfCube()
+{
+  std::vector<Cone> cones;
+  for (int vertex = 0; vertex < 8; ++vertex)
+  {
+    cones.push_back({ vertex, 1, false, vertex });
+  }
+  return cones;
+}
+
+/// The same triangles in another order, each beginning with another corner: other crosses without BestAngle.
+SurfaceMesh Shuffled(SurfaceMesh surface, unsigned seed)
+{
+  Random random(seed);
+  random.Shuffle(surface.triangles);
+  for (auto& triangle : surface.triangles)
+  {
+    std::rotate(triangle.begin(), triangle.begin() + random.Integer(0, 2), triangle.end());
+  }
+  return surface;
+}
+
+/// Turns a map by an angle.
+SeamlessMap Turned(SeamlessMap map, double angle)
+{
+  const Eigen::Rotation2Dd turn(angle);
+  for (Point& point : map.points)
+  {
+    point = turn * point;
+  }
+  for (SeamTransition& transition : map.transitions)
+  {
+    transition.translation = turn * transition.translation;
+  }
+  return map;
+}
+
+TEST(BestAngle, LeadsLinesOfTheSphereToSingularities)
+{
+  for (const unsigned seed : { 1u, 2u, 3u, 4u, 5u })
+  {
+    const SurfaceMesh sphere = Shuffled(CubedSphere(8), seed);
+    const SeamlessMap map =
+      SolveSurfaceMap(std::make_shared<const SurfaceTopology>(sphere), ConesOfCube());
+    EXPECT_NEAR(BestAngle(map), 0.0, 1e-9);
+    EXPECT_EQ(MakeTMesh(map, TraceSeparatrices(map)).patches.size(), 6u);
+  }
+}
+
+TEST(BestAngle, FollowsTheMap)
+{
+  const auto sphere = std::make_shared<const SurfaceTopology>(CubedSphere(8));
+  const auto torus = std::make_shared<const SurfaceTopology>(Shuffled(Torus(2.5, 30, 12), 7));
+  const SeamlessMap ofSphere = SolveSurfaceMap(sphere, ConesOfCube());
+  const SeamlessMap ofTorus = SolveSurfaceMap(torus, {});
+  EXPECT_NEAR(BestAngle(ofTorus), 0.0, 1e-9);
+  for (const double angle : { -0.7, -0.2, 0.1, 0.6 })
+  {
+    EXPECT_NEAR(BestAngle(Turned(ofSphere, angle)), angle, 1e-9);
+    EXPECT_NEAR(BestAngle(Turned(ofTorus, angle)), angle, 1e-9);
+  }
+}
+
+TEST(VertexWays, OfTheSphereAreTheEdgesAndDiagonalsOfACube)
+{
+  const SeamlessMap map =
+    SolveSurfaceMap(std::make_shared<const SurfaceTopology>(CubedSphere(8)), ConesOfCube());
+  const double edge = std::sqrt(map.topology->Area() / 6.0);
+  double edges = 0.0;
+  double diagonals = 0.0;
+  for (const auto& [vector, share] : WaysBetweenCones(map))
+  {
+    const bool isEdge = std::abs(vector.norm() - edge) < 1e-9;
+    const bool isDiagonal = std::abs(vector.norm() - std::sqrt(2.0) * edge) < 1e-9;
+    EXPECT_TRUE(isEdge || isDiagonal) << vector.norm() / edge;
+    edges += isEdge ? share : 0.0;
+    diagonals += isDiagonal ? share : 0.0;
+  }
+  EXPECT_EQ(edges, 24.0); // from both ends
+  EXPECT_EQ(diagonals, 24.0);
+}
+}
+}
