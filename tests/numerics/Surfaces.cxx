@@ -122,7 +122,62 @@ SurfaceMesh Torus(double R, int m, int n)
       surface.points.emplace_back(radius * std::cos(u), radius * std::sin(u), std::sin(v));
       const int k = (i + 1) % m;
       const int l = (j + 1) % n;
-      AddQuad(surface, i * n + j, k * n + j, k * n + l, i * n + l);
+      // Diagonals alternate, so that the mesh has the reflections of the torus.
+      const std::array<int, 4> around = { i * n + j, k * n + j, k * n + l, i * n + l };
+      const auto first = static_cast<std::size_t>((i + j) % 2);
+      AddQuad(surface, around[first], around[first + 1], around[(first + 2) % 4],
+        around[(first + 3) % 4]);
+    }
+  }
+  return surface;
+}
+
+SurfaceMesh BoxWithHoles(int genus, int n)
+{
+  const auto isFull = [&](std::array<int, 3> cube)
+  {
+    return cube[0] >= 0 && cube[0] < 2 * genus + 1 && cube[1] >= 0 && cube[1] < 3 && cube[2] == 0 &&
+      (cube[0] % 2 == 0 || cube[1] != 1);
+  };
+  SurfaceMesh surface;
+  std::map<std::array<int, 3>, int> numbers; // of points, in units of 1 / n
+  const auto at = [&](const std::array<int, 3>& place)
+  {
+    const auto [found, isNew] = numbers.insert({ place, static_cast<int>(surface.points.size()) });
+    if (isNew)
+    {
+      surface.points.push_back(SpacePoint(place[0], place[1], place[2]) / n);
+    }
+    return found->second;
+  };
+  for (int x = 0; x < 2 * genus + 1; ++x)
+  {
+    for (int y = 0; y < 3; ++y)
+    {
+      for (int axis = 0; axis < 3 && isFull({ x, y, 0 }); ++axis)
+      {
+        for (const int end : { 0, 1 })
+        {
+          std::array<int, 3> cube = { x, y, 0 };
+          cube[axis] += 2 * end - 1;
+          if (isFull(cube))
+          {
+            continue;
+          }
+          for (int i = 0; i < n * n; ++i)
+          {
+            const auto corner = [&](int di, int dj)
+            {
+              std::array<int, 3> place = { n * x, n * y, 0 };
+              place[axis] += n * end;
+              place[(axis + 1) % 3] += i % n + (end == 1 ? di : dj);
+              place[(axis + 2) % 3] += i / n + (end == 1 ? dj : di);
+              return at(place);
+            };
+            AddQuad(surface, corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
+          }
+        }
+      }
     }
   }
   return surface;

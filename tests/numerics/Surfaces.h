@@ -14,8 +14,12 @@ SurfaceMesh CubedSphere(int n);
 SurfaceMesh Hemisphere(int n);
 
 /// Returns the torus of circles of radius 1 around a circle of radius R > 1, as m × n quadrilaterals that
-/// are cut into two triangles: n along the small circles.
+/// are cut into two triangles: n along the small circles. With even m and n it has the reflections of the torus.
 SurfaceMesh Torus(double R, int m, int n);
+
+/// Returns the surface of a box of 2g + 1 by 3 by 1 cubes without every second one of the middle row: genus g. Each
+/// square of a cube is divided into n × n squares of two triangles.
+SurfaceMesh BoxWithHoles(int genus, int n);
 
 /// Returns the unit square as n × n squares, each cut into two triangles.
 TriangleMesh GridOfSquare(int n);

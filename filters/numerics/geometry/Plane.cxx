@@ -41,6 +41,11 @@ std::string DescribeInSpace(const SpacePoint& point)
     FormatNumber(point.z()) + ")";
 }
 
+std::string DescribePlace(const SpacePoint& point)
+{
+  return point.z() == 0.0 ? Describe(Point(point.head<2>())) : DescribeInSpace(point);
+}
+
 std::string FormatNumber(double value, int digits)
 {
   std::ostringstream text;

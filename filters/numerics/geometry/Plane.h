@@ -52,6 +52,8 @@ double WrapAngle(double angle);
 std::string Describe(const Point& point);
 /// Returns "(x, y, z)", for messages.
 std::string DescribeInSpace(const SpacePoint& point);
+/// Returns "(x, y)" if z is 0, as in the plane, otherwise "(x, y, z)".
+std::string DescribePlace(const SpacePoint& point);
 
 /// Returns a number with at most that many significant digits, for messages.
 std::string FormatNumber(double value, int digits = 6);

@@ -175,7 +175,8 @@ private:
     return true;
   }
 
-  /// Adds a wall across an annulus, starting at one of the walls along its sides.
+  /// Adds a wall across an annulus, starting at one of the walls along its sides, or one around a torus without
+  /// walls.
   void CutAnnulus(const std::vector<int>& members)
   {
     for (const int quad : members)
@@ -190,6 +191,7 @@ private:
         }
       }
     }
+    this->MarkLine(4 * members.front());
   }
 
   /// Marks walls as MarkLine does, but stops at a crossing wall.

@@ -21,7 +21,7 @@ std::vector<int> QuadMesh::Twins() const
       const int to = quad[(i + 1) % 4];
       if (from == to || from == quad[(i + 2) % 4])
       {
-        throw Error("A quad near " + Describe(this->points[index(from)].InPlane()) +
+        throw Error("A quad near " + DescribePlace(this->points[index(from)].place) +
           " has a point twice; use a smaller size.");
       }
       ++starts[index(std::min(from, to)) + 1];

@@ -26,6 +26,7 @@ struct QuadPoint
   int valence = 0;      ///< Number of quads.
   /// Target size over that of the mesh: e^H unless SetTargetLengths changes it.
   double scale = 1.0;
+  int triangle = -1; ///< Triangle that a draft point is in; −1 if it is not known.
 
   /// Returns the position in the plane.
   Point InPlane() const { return this->place.head<2>(); }
@@ -51,6 +52,7 @@ struct QuadMesh
   /// Per quad, the target lengths of its sides 01 (and 23) and 12 (and 30).
   std::vector<std::array<double, 2>> targetLengths;
   std::vector<int> patch;                 ///< Patch of the T-mesh, per quad.
+  std::vector<SpacePoint> normals;        ///< Per quad that of the surface; empty in the plane.
   std::vector<QuadBoundaryEdge> boundary; ///< Edge after edge along every loop.
   std::vector<std::string> sideNames;     ///< Names of the sides of the boundary.
   std::vector<PairedSides> periodic;      ///< Sides whose paired points move together.

@@ -12,9 +12,22 @@ namespace crossfield
 {
 namespace
 {
+/// Returns the place of a corner in the plane, on a surface in that of the diagonals of the quad, whose normal
+/// points to the same side as that of the surface.
 Point At(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
 {
-  return mesh.points[mesh.quads[quad][corner % 4]].InPlane();
+  const auto place = [&](std::size_t i) -> const SpacePoint&
+  { return mesh.points[mesh.quads[quad][i % 4]].place; };
+  if (mesh.normals.empty())
+  {
+    return place(corner).head<2>();
+  }
+  const SpacePoint diagonal = place(2) - place(0);
+  const SpacePoint own = diagonal.cross(place(3) - place(1));
+  const SpacePoint normal = own.dot(mesh.normals[quad]) < 0.0 ? -own : own;
+  const SpacePoint axis = diagonal.normalized();
+  const SpacePoint offset = place(corner) - place(0);
+  return { offset.dot(axis), offset.dot(normal.normalized().cross(axis)) };
 }
 
 Range RangeOf(const std::vector<double>& values)
@@ -176,10 +189,10 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
     quality.minimumAngle = *std::min_element(minimumAngles.begin(), minimumAngles.end());
     const auto worst =
       std::min_element(quality.scaledJacobian.begin(), quality.scaledJacobian.end());
-    quality.where = Point::Zero();
+    quality.where = SpacePoint::Zero();
     for (const int point : mesh.quads[worst - quality.scaledJacobian.begin()])
     {
-      quality.where += 0.25 * mesh.points[point].InPlane();
+      quality.where += 0.25 * mesh.points[point].place;
     }
   }
   quality.jacobian = RangeOf(quality.scaledJacobian);
@@ -217,7 +230,7 @@ std::string DescribeWorstQuad(const QuadMesh& mesh, const QuadQuality& quality)
   }
   std::ostringstream text;
   text.precision(2);
-  text << "The worst quad, near " << Describe(quality.where) << ", has a scaled Jacobian of "
+  text << "The worst quad, near " << DescribePlace(quality.where) << ", has a scaled Jacobian of "
        << quality.jacobian.min;
   const std::size_t p = Index(mesh.quads[worst][corner]);
   const QuadPoint& point = mesh.points[p];

@@ -14,7 +14,8 @@ struct Range
   double max = 0.0;
 };
 
-/// Quality measures of a quad mesh (docs/method.md §14.6).
+/// Quality measures of a quad mesh (docs/method.md §14.6), on a surface of the projection of each quad to the
+/// plane of its diagonals.
 struct QuadQuality
 {
   std::vector<double> scaledJacobian; ///< Per quad, the minimum over its corners, in [−1, 1].
@@ -23,12 +24,12 @@ struct QuadQuality
   /// Attainable minimum scaled Jacobian: that of sin(2π / valence) at inner points and sin(α / m)
   /// at corners of angle α with m quads.
   double bound = 1.0;
-  Range eta;                   ///< 1 − (2/π) max |π/2 − angle|.
-  double minimumAngle = 0.0;   ///< Minimum angle inside a quad, in radians, in [0, 2π).
-  Range size;                  ///< √area.
-  double variation = 0.0;      ///< Standard deviation of √area over its mean.
-  int inverted = 0;            ///< Number of quads whose scaled Jacobian is not positive.
-  Point where = Point::Zero(); ///< Centre of the quad with the minimum scaled Jacobian.
+  Range eta;                             ///< 1 − (2/π) max |π/2 − angle|.
+  double minimumAngle = 0.0;             ///< Minimum angle inside a quad, in radians, in [0, 2π).
+  Range size;                            ///< √area.
+  double variation = 0.0;                ///< Standard deviation of √area over its mean.
+  int inverted = 0;                      ///< Number of quads whose scaled Jacobian is not positive.
+  SpacePoint where = SpacePoint::Zero(); ///< Centre of the quad with the minimum scaled Jacobian.
 };
 
 /// Returns the scaled Jacobian of a quad: the minimum over its corners of the signed sine of the

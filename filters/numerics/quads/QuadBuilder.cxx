@@ -49,7 +49,9 @@ constexpr std::ptrdiff_t MinimumBuilt = 5000;
 class QuadBuilder
 {
 public:
-  QuadBuilder(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
+  /// Without curves, points of the boundary are at their places in the map, and their positions along loops
+  /// are not set.
+  QuadBuilder(const SeamlessMap& map, const MeshBoundary* curves, const TMesh& mesh,
     const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size)
     : Map(map)
     , Separatrices(mesh)
@@ -72,9 +74,12 @@ public:
     this->BuildPatches();
     this->AddBoundary();
     CountValences(*this->Map.topology, this->Mesh);
-    FixCorners(this->Curves, this->Mesh);
-    OrderOnBoundary(this->Mesh, this->Curves);
-    NameBoundary(sides, this->Curves, this->Mesh);
+    if (this->Curves != nullptr)
+    {
+      FixCorners(*this->Curves, this->Mesh);
+      OrderOnBoundary(this->Mesh, *this->Curves);
+      NameBoundary(sides, *this->Curves, this->Mesh);
+    }
     return std::move(this->Mesh);
   }
 
@@ -143,7 +148,7 @@ private:
   CurvePlace CurveOn(int half, double within) const
   {
     const ArcPosition at = this->FindOn(half, within);
-    return FindOnBoundary(this->Map, this->Curves, *at.piece, at.w);
+    return FindOnBoundary(this->Map, *this->Curves, *at.piece, at.w);
   }
 
   /// Returns the rank by which coincident points take their position: cones and fixed nodes,
@@ -193,13 +198,15 @@ private:
     const double within = this->Spacing[half / 2][j];
     const ChartPlace place = this->PlaceOn(half, within);
     point.scale = PlaneScale(this->Map, place.triangle);
-    if (arc.onBoundary)
+    point.triangle = place.triangle;
+    if (arc.onBoundary && this->Curves != nullptr)
     {
       point.curve = this->CurveOn(half, within);
-      point.MoveTo(this->Curves.At(point.curve));
+      point.MoveTo(this->Curves->At(point.curve));
     }
     else
     {
+      point.curve.loop = arc.onBoundary ? arc.loop : -1;
       point.place = this->Map.PlaceOf(place.triangle, place.w);
     }
     const bool node = j == 0 || j == count;
@@ -314,6 +321,7 @@ private:
         QuadPoint point;
         point.place = this->Map.PlaceOf(place.triangle, place.w);
         point.scale = PlaneScale(this->Map, place.triangle);
+        point.triangle = place.triangle;
         lattice.points[lattice.At(i, j)] = next;
         this->Mesh.points[next++] = point;
       }
@@ -384,7 +392,7 @@ private:
   const std::vector<std::vector<double>>& Spacing; ///< Distances of the points along every arc.
   const ArcPoints Points;
   UnionFind Classes;
-  const MeshBoundary& Curves;
+  const MeshBoundary* const Curves;
   const double Size;
   std::vector<int>
     Numbers; ///< Index in the mesh of every class of coincident points, −1 if it has none yet.
@@ -397,6 +405,12 @@ QuadMesh BuildQuads(const SeamlessMap& map, const MeshBoundary& curves, const TM
   const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size,
   const BoundarySides& sides)
 {
-  return QuadBuilder(map, curves, mesh, counts, spacing, size).Build(sides);
+  return QuadBuilder(map, &curves, mesh, counts, spacing, size).Build(sides);
+}
+
+QuadMesh BuildQuadsInSpace(const SeamlessMap& map, const TMesh& mesh,
+  const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size)
+{
+  return QuadBuilder(map, nullptr, mesh, counts, spacing, size).Build({});
 }
 }

@@ -479,14 +479,18 @@ private:
 };
 }
 
-QuadResult MakeDraftQuads(
-  const LayoutSet& layouts, const QuadOptions& options, const Progress& progress)
+void RequireSize(double quadSize, int quadCount)
 {
-  if (!(options.quadSize >= 0.0) || !std::isfinite(options.quadSize) ||
-    (options.quadSize == 0.0 && options.quadCount < 1))
+  if (!(quadSize >= 0.0) || !std::isfinite(quadSize) || (quadSize == 0.0 && quadCount < 1))
   {
     throw Error("The size of quads must be a positive number, or their count at least 1.");
   }
+}
+
+QuadResult MakeDraftQuads(
+  const LayoutSet& layouts, const QuadOptions& options, const Progress& progress)
+{
+  RequireSize(options.quadSize, options.quadCount);
   const Layout& layout = layouts.Single();
   const SeamlessMap& map = layout.map;
   QuadResult result;

@@ -39,6 +39,9 @@ struct QuadOptions
   bool coarse = false;
 };
 
+/// Throws Error unless the size is positive, or it is 0 and the count is positive.
+void RequireSize(double quadSize, int quadCount);
+
 /// Makes quads of layouts whose nodes are at their places in the map (docs/method.md §14): edge counts,
 /// quads and blocks; the quality is not measured. Nodes on paired sides match. Throws Error if there is more than one region, if the size or count
 /// is not positive, if more quads would be built than fit into memory, and as Quantise and BuildQuads do.

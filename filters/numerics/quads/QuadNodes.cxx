@@ -23,7 +23,7 @@ void CountValences(const MeshTopology& topology, QuadMesh& mesh)
   {
     if (point.valence != (point.curve.loop < 0 ? 4 : 2) - point.quarterIndex)
     {
-      throw Error("The node at " + Describe(point.InPlane()) + " has " +
+      throw Error("The node at " + DescribePlace(point.place) + " has " +
         std::to_string(point.valence) + " quads, not the requested number; use a smaller size.");
     }
   }

@@ -4,12 +4,23 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
+std::vector<double> LengthsOf(const TMesh& mesh)
+{
+  std::vector<double> lengths;
+  for (const TArc& arc : mesh.arcs)
+  {
+    lengths.push_back(arc.length);
+  }
+  return lengths;
+}
+
 class Separator
 {
 public:
@@ -70,10 +81,123 @@ public:
       }
     }
     this->AddShortLoops(violations);
+    if (this->HasHandles())
+    {
+      this->AddCycles(violations);
+    }
     return violations;
   }
 
 private:
+  bool HasHandles() const
+  {
+    std::set<int> loops;
+    for (const TArc& arc : this->Mesh.arcs)
+    {
+      if (arc.onBoundary)
+      {
+        loops.insert(arc.loop);
+      }
+    }
+    return this->Mesh.nodes.size() + this->Mesh.patches.size() + loops.size() <
+      2 + this->Mesh.arcs.size();
+  }
+
+  /// Adds one path around a handle per class of coincident points, if there is any.
+  void AddCycles(std::vector<Violation>& violations) const
+  {
+    const std::vector<double> lengths = LengthsOf(this->Mesh);
+    std::vector<int> via(Index(this->Points.Count()), -1); // link towards the root of a tree
+    std::vector<bool> isVisited(Index(this->Points.Count()), false);
+    for (int root = 0; root < this->Points.Count(); ++root)
+    {
+      if (isVisited[root] || this->LinksAt[root].empty())
+      {
+        continue;
+      }
+      isVisited[root] = true;
+      std::vector<int> queue = { root };
+      std::vector<std::size_t> closing;
+      for (std::size_t next = 0; next < queue.size(); ++next)
+      {
+        const int p = queue[next];
+        for (const std::size_t l : this->LinksAt[p])
+        {
+          const int other = this->OtherEnd(l, p);
+          if (!isVisited[other])
+          {
+            isVisited[other] = true;
+            via[other] = static_cast<int>(l);
+            queue.push_back(other);
+          }
+          else if (static_cast<int>(l) != via[p] && this->Links[l].from == p)
+          {
+            closing.push_back(l);
+          }
+        }
+      }
+      for (const std::size_t l : closing)
+      {
+        Violation cycle = this->CycleOf(l, via);
+        if (!OpenCycle(this->Mesh, this->Counts, lengths, cycle.path).terms.empty())
+        {
+          violations.push_back(std::move(cycle));
+          break;
+        }
+      }
+    }
+  }
+
+  int OtherEnd(std::size_t link, int p) const
+  {
+    return this->Links[link].from == p ? this->Links[link].to : this->Links[link].from;
+  }
+
+  /// Returns the closed path that a link closes in a tree.
+  Violation CycleOf(std::size_t closing, const std::vector<int>& via) const
+  {
+    const auto toRoot = [&](int p)
+    {
+      std::vector<PointLink> path;
+      while (via[p] >= 0)
+      {
+        PointLink link = this->Links[Index(via[p])];
+        if (link.from != p)
+        {
+          std::swap(link.from, link.to);
+        }
+        path.push_back(link);
+        p = link.to;
+      }
+      return path;
+    };
+    std::vector<PointLink> first = toRoot(this->Links[closing].from);
+    std::vector<PointLink> second = toRoot(this->Links[closing].to);
+    // Both end at the root; what they have in common is not part of the cycle.
+    const auto isSame = [](const PointLink& a, const PointLink& b)
+    { return a.arc == b.arc && a.patch == b.patch && a.from == b.from && a.to == b.to; };
+    while (!first.empty() && !second.empty() && isSame(first.back(), second.back()))
+    {
+      first.pop_back();
+      second.pop_back();
+    }
+    Violation cycle;
+    cycle.path = { this->Links[closing] };
+    cycle.path.insert(cycle.path.end(), second.begin(), second.end());
+    for (auto link = first.rbegin(); link != first.rend(); ++link)
+    {
+      cycle.path.push_back(*link);
+      std::swap(cycle.path.back().from, cycle.path.back().to);
+    }
+    for (const PointLink& link : cycle.path)
+    {
+      this->AddArcs(link, cycle.arcs);
+    }
+    std::sort(cycle.arcs.begin(), cycle.arcs.end());
+    cycle.arcs.erase(std::unique(cycle.arcs.begin(), cycle.arcs.end()), cycle.arcs.end());
+    return cycle;
+  }
+
   bool IsDistinct(int p) const
   {
     return p < static_cast<int>(this->Mesh.nodes.size()) && this->Mesh.nodes[p].IsDistinct();
@@ -115,7 +239,7 @@ private:
       }
       for (const std::size_t l : this->LinksAt[p])
       {
-        const int other = this->Links[l].from == p ? this->Links[l].to : this->Links[l].from;
+        const int other = this->OtherEnd(l, p);
         if (other != start && via.emplace(other, l).second)
         {
           queue.push_back(other);
@@ -193,7 +317,8 @@ SeparationRow MakeSeparationRow(const Violation& violation, const TMesh& mesh,
 {
   if (!violation.path.empty())
   {
-    return SeparateEnds(mesh, counts, target, violation.path);
+    return violation.IsCycle() ? OpenCycle(mesh, counts, target, violation.path)
+                               : SeparateEnds(mesh, counts, target, violation.path);
   }
   SeparationRow row = AnyArc(violation);
   row.minimum = MinimumLoop;

@@ -12,7 +12,10 @@ constexpr int MinimumLoop = 4;
 struct Violation
 {
   std::vector<int> arcs;
-  std::vector<PointLink> path; ///< Between the two points that coincide; empty for a short loop.
+  /// Between the two points that coincide, or around a handle, from a point to itself; empty for a short loop.
+  std::vector<PointLink> path;
+
+  bool IsCycle() const { return !path.empty() && path.front().from == path.back().to; }
 };
 
 /// Returns the row that excludes a violation, for arcs of the given target counts. The row has no
@@ -29,6 +32,7 @@ SeparationRow MakeSeparationRowFor(const std::vector<int>& best, const Violation
 /// Finds points that coincide but must not (docs/method.md §14.3): two cones or fixed nodes, a singularity and the
 /// boundary, or points of the boundary that boundary arcs without edges do not join. There is one
 /// violation per class of coincident points, with the arcs on the shortest path between two of
-/// them, and one per boundary loop with fewer than MinimumLoop edges.
+/// them, and one per boundary loop with fewer than MinimumLoop edges. On a surface with handles also one per class that
+/// contains a path around a handle.
 std::vector<Violation> FindViolations(const TMesh& mesh, const std::vector<int>& counts);
 }

@@ -61,6 +61,31 @@ public:
     return displacement;
   }
 
+  /// Returns the displacement along a closed path of links, nothing if it cannot be unfolded.
+  std::optional<ArcVector> DisplacementAround(const std::vector<PointLink>& links)
+  {
+    const PatchPoint begin = this->EndsOf(links.front()).from;
+    this->Unfolded.Begin(begin);
+    const ArcVector start = this->Unfolded.StartOf(begin.half);
+    PatchPoint here = begin;
+    for (const PointLink& link : links)
+    {
+      const LinkEnds ends = this->EndsOf(link);
+      if (!this->Unfolded.Turn(here, ends.from))
+      {
+        return std::nullopt;
+      }
+      here = ends.to;
+    }
+    if (!this->Unfolded.Turn(here, begin))
+    {
+      return std::nullopt;
+    }
+    ArcVector displacement = this->Unfolded.StartOf(begin.half);
+    displacement.Subtract(start);
+    return displacement;
+  }
+
 private:
   bool IsDistinct(int point) const
   {
@@ -156,6 +181,44 @@ private:
   const ArcPoints Points;
   Unfolding Unfolded;
 };
+
+/// Returns the signs of a displacement for the target counts, 0 for a component that is none.
+std::array<int, 2> SignsOf(const ArcVector& displacement, const std::vector<double>& target)
+{
+  // Coordinates that are 0 by symmetry have no sign. Opposite sides agree to 1e-12 in the map.
+  constexpr double NoSign = 1e-9;
+  double longest = 0.0;
+  for (const double length : target)
+  {
+    longest = std::max(longest, length);
+  }
+  std::array<int, 2> signs = { 0, 0 };
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const double along = displacement.Along(axis, target);
+    if (std::abs(along) > NoSign * longest)
+    {
+      signs[axis] = along > 0.0 ? 1 : -1;
+    }
+  }
+  return signs;
+}
+
+/// Returns the row Σ sign · component ≥ minimum.
+SeparationRow RowOf(const ArcVector& displacement, const std::array<int, 2>& signs, int minimum)
+{
+  SeparationRow row;
+  row.minimum = minimum;
+  for (const auto& [arc, factor] : displacement.GetFactors())
+  {
+    const int sum = signs[0] * factor[0] + signs[1] * factor[1];
+    if (sum != 0)
+    {
+      row.terms.emplace_back(arc, sum);
+    }
+  }
+  return row;
+}
 }
 
 bool SeparationRow::Holds(const std::vector<int>& counts) const
@@ -171,38 +234,31 @@ bool SeparationRow::Holds(const std::vector<int>& counts) const
 SeparationRow SeparateEnds(const TMesh& mesh, const std::vector<int>& counts,
   const std::vector<double>& target, const std::vector<PointLink>& path)
 {
-  SeparationRow row;
   std::optional<std::size_t> across;
   const std::optional<ArcVector> displacement =
     PathUnfolder(mesh, counts).Displacement(path, across);
   if (!displacement)
   {
-    return row;
+    return {};
   }
-  // Coordinates that are 0 by symmetry have no sign. Opposite sides agree to 1e-12 in the map.
-  constexpr double NoSign = 1e-9;
-  double longest = 0.0;
-  for (const double length : target)
+  std::array<int, 2> signs = SignsOf(*displacement, target);
+  if (across)
   {
-    longest = std::max(longest, length);
+    signs[1 - *across] = 0;
   }
-  std::array<int, 2> signs = { 0, 0 };
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  return RowOf(*displacement, signs, 1);
+}
+
+SeparationRow OpenCycle(const TMesh& mesh, const std::vector<int>& counts,
+  const std::vector<double>& target, const std::vector<PointLink>& path)
+{
+  const std::optional<ArcVector> displacement = PathUnfolder(mesh, counts).DisplacementAround(path);
+  if (!displacement)
   {
-    const double along = displacement->Along(axis, target);
-    if ((!across || *across == axis) && std::abs(along) > NoSign * longest)
-    {
-      signs[axis] = along > 0.0 ? 1 : -1;
-    }
+    return {};
   }
-  for (const auto& [arc, factor] : displacement->GetFactors())
-  {
-    const int sum = signs[0] * factor[0] + signs[1] * factor[1];
-    if (sum != 0)
-    {
-      row.terms.emplace_back(arc, sum);
-    }
-  }
-  return row;
+  constexpr int ShortestLine = 3;
+  const std::array<int, 2> signs = SignsOf(*displacement, target);
+  return RowOf(*displacement, signs, signs[0] == 0 || signs[1] == 0 ? ShortestLine : 1);
 }
 }

@@ -26,4 +26,10 @@ struct SeparationRow
 /// sides that are not parallel, or where the ends coincide in the map.
 SeparationRow SeparateEnds(const TMesh& mesh, const std::vector<int>& counts,
   const std::vector<double>& target, const std::vector<PointLink>& path);
+
+/// Returns the row that opens a closed path of links, which goes around a handle: the displacement of its unfolded end
+/// from its start is at least 1, and at least 3 if one component of it is 0, because a line of two edges
+/// would join the same points twice. The row has no terms if the path can be contracted.
+SeparationRow OpenCycle(const TMesh& mesh, const std::vector<int>& counts,
+  const std::vector<double>& target, const std::vector<PointLink>& path);
 }

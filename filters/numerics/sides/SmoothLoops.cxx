@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace crossfield
 {
@@ -51,14 +50,7 @@ SmoothLoops::SmoothLoops(const SeamlessMap& map, const MeshBoundary& curves,
   const BoundarySides& sides, const SidePrescriptions& prescribed, const TMesh& mesh)
 {
   const SideArcs ofSides(map, curves, sides, mesh);
-  std::map<int, Loop> loops;
-  for (int arc = 0; arc < static_cast<int>(mesh.arcs.size()); ++arc)
-  {
-    if (mesh.arcs[arc].onBoundary)
-    {
-      loops[mesh.arcs[arc].loop].arcs.push_back(arc);
-    }
-  }
+  std::map<int, Loop> loops = LoopsOf(mesh);
   for (const SidePrescription& one : prescribed)
   {
     for (const int arc : ofSides.Of(one.side))
@@ -74,6 +66,34 @@ SmoothLoops::SmoothLoops(const SeamlessMap& map, const MeshBoundary& curves,
       this->Loops.push_back(std::move(loop));
     }
   }
+}
+
+SmoothLoops::SmoothLoops(const MeshTopology& topology, const TMesh& mesh)
+{
+  for (auto& [index, loop] : LoopsOf(mesh))
+  {
+    if (!HasCorners(topology, topology.loops[index]))
+    {
+      for (const int position : topology.loops[index].edges)
+      {
+        loop.length += topology.Length(topology.EdgeOfBoundary(position));
+      }
+      this->Loops.push_back(std::move(loop));
+    }
+  }
+}
+
+std::map<int, SmoothLoops::Loop> SmoothLoops::LoopsOf(const TMesh& mesh)
+{
+  std::map<int, Loop> loops;
+  for (int arc = 0; arc < static_cast<int>(mesh.arcs.size()); ++arc)
+  {
+    if (mesh.arcs[arc].onBoundary)
+    {
+      loops[mesh.arcs[arc].loop].arcs.push_back(arc);
+    }
+  }
+  return loops;
 }
 
 bool SmoothLoops::RaiseTargets(

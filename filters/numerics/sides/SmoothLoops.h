@@ -7,6 +7,7 @@
 #include "SidePrescription.h"
 #include "TMesh.h"
 
+#include <map>
 #include <vector>
 
 namespace crossfield
@@ -23,6 +24,9 @@ public:
   SmoothLoops(const SeamlessMap& map, const MeshBoundary& curves, const BoundarySides& sides,
     const SidePrescriptions& prescribed, const TMesh& mesh);
 
+  /// Finds those of a surface.
+  SmoothLoops(const MeshTopology& topology, const TMesh& mesh);
+
   /// Raises the targets of loops to which counts give fewer than twelve edges to this number, or to that of edges a
   /// quarter as long as the quads of a size if this is smaller, and their weights, so that the edge counts
   /// follow. Returns whether there are such loops.
@@ -33,8 +37,11 @@ private:
   struct Loop
   {
     std::vector<int> arcs;
-    double length = 0.0; ///< In the plane.
+    double length = 0.0; ///< In the plane, or along the edges of a surface.
   };
+
+  static std::map<int, Loop> LoopsOf(const TMesh& mesh);
+
   std::vector<Loop> Loops;
 };
 }

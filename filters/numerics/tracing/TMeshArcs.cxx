@@ -153,11 +153,12 @@ private:
     {
       TArc arc;
       arc.separatrix = static_cast<int>(i);
-      if (this->Stops.Joined(stops[j].node) == this->Stops.Joined(stops[j + 1].node))
+      arc.length = std::max(0.0, stops[j + 1].at - stops[j].at);
+      const bool isClosed = stops[j].node == stops[j + 1].node && arc.length > 0.0;
+      if (!isClosed && this->Stops.Joined(stops[j].node) == this->Stops.Joined(stops[j + 1].node))
       {
         continue; // its ends were joined
       }
-      arc.length = std::max(0.0, stops[j + 1].at - stops[j].at);
       this->AddArcPieces(line, stops[j].at, stops[j + 1].at, arc.pieces);
       arc.polyline = { this->PlaceOf(stops[j]) };
       const auto add = [&arc](const std::vector<SpacePoint>& points)

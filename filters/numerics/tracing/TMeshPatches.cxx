@@ -59,8 +59,8 @@ std::vector<int> LinkHalfEdges(TMesh& mesh)
 
 [[noreturn]] void ThrowNoRectangles(const SpacePoint& location)
 {
-  throw Error("The separatrices do not divide the domain into rectangles near " +
-      Describe(Point(location.head<2>())),
+  throw Error(
+    "The separatrices do not divide the domain into rectangles near " + DescribePlace(location),
     "use a finer mesh", Error::Kind::CoarseMesh);
 }
 

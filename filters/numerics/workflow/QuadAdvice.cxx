@@ -139,7 +139,7 @@ std::string CountInverted(const QuadQuality& quality)
   const bool one = quality.inverted == 1;
   return std::to_string(quality.inverted) +
     (one ? " quad is inverted near " : " quads are inverted, the worst near ") +
-    Describe(quality.where);
+    DescribePlace(quality.where);
 }
 
 std::string DescribeInverted(

@@ -186,7 +186,7 @@ void ExpectConforming(const QuadResult& result, const SeamlessMap& map, double s
   if (FarApart(map, size))
   {
     EXPECT_EQ(result.quality.inverted, 0)
-      << result.quality.jacobian.min << " at " << Describe(result.quality.where);
+      << result.quality.jacobian.min << " at " << DescribePlace(result.quality.where);
   }
   // Every side of a block is a full side of another block, or on the boundary.
   std::size_t boundary = 0;

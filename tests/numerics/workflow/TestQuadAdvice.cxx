@@ -155,7 +155,7 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
 {
   QuadQuality quality;
   quality.inverted = 1;
-  quality.where = { 0.25, 0.5 };
+  quality.where = { 0.25, 0.5, 0.0 };
   EXPECT_EQ(DescribeInverted(quality, { 1, SmallerSize{ 0.0125, 4000 } }, true),
     "1 quad is inverted near (0.25, 0.5); use a smaller size: with 0.0125, 4000 quads, "
     "none is inverted.");

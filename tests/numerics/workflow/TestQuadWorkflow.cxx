@@ -290,7 +290,7 @@ TEST(QuadWorkflow, WarnsOfNodeWithoutAngle)
   request.quadCount = 400;
   const QuadWorkflowResult result = MakeQuadMesh(disk, request);
   EXPECT_LT(result.quads.quality.jacobian.min, 0.05);
-  EXPECT_LT((result.quads.quality.where - Point(-0.4, 0.1)).norm(), 0.2);
+  EXPECT_LT((result.quads.quality.where - SpacePoint(-0.4, 0.1, 0.0)).norm(), 0.2);
   const std::vector<std::string>& warnings = result.warnings;
   const auto worst = std::find_if(warnings.begin(), warnings.end(),
     [](const std::string& warning) { return warning.find("valence 2") != std::string::npos; });

@@ -1,0 +1,133 @@
+#include "SurfaceQuads.h"
+
+#include "ArcSpacing.h"
+#include "Error.h"
+#include "Index.h"
+#include "MemoryBudget.h"
+#include "QuadBuilder.h"
+#include "QuadMesher.h"
+#include "Quantisation.h"
+#include "SizeSearch.h"
+#include "SmoothLoops.h"
+#include "Stopwatch.h"
+#include "TargetLengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Returns the edge counts for a size, with enough edges around loops without corners.
+EdgeCounts CountsFor(const TMesh& mesh, const SmoothLoops& loops, double size, SearchEffort effort)
+{
+  QuantisationProblem problem = MakeQuantisationProblem(mesh, size);
+  for (std::size_t a = 0; a < mesh.arcs.size(); ++a)
+  {
+    // A closed line of two edges would join the same points twice.
+    constexpr int ShortestLine = 3;
+    if (mesh.halfEdges[2 * a].node == mesh.halfEdges[2 * a + 1].node)
+    {
+      problem.lower[a] = std::max(problem.lower[a], ShortestLine);
+    }
+  }
+  EdgeCounts counts = Quantise(mesh, problem, effort);
+  if (loops.RaiseTargets(size, counts.counts, problem))
+  {
+    counts = Quantise(mesh, problem, effort);
+  }
+  counts.size = size;
+  return counts;
+}
+
+EdgeCounts ComputeCounts(const TMesh& mesh, const MeshTopology& topology,
+  const SurfaceQuadOptions& options, const Progress& progress)
+{
+  const SmoothLoops loops(topology, mesh);
+  if (options.quadSize > 0.0)
+  {
+    return CountsFor(mesh, loops, options.quadSize, SearchEffort::Thorough);
+  }
+  const EdgeCounts found = SearchSize(
+    mesh, options.quadCount, std::sqrt(AreaOf(mesh) / options.quadCount),
+    [&](double size) { return CountsFor(mesh, loops, size, SearchEffort::Quick); }, progress);
+  if (found.optimal)
+  {
+    return found;
+  }
+  EdgeCounts thorough = CountsFor(mesh, loops, found.size, SearchEffort::Thorough);
+  const auto error = [&](const EdgeCounts& counts)
+  {
+    return std::abs(static_cast<double>(CountQuads(mesh, counts.counts)) / options.quadCount - 1.0);
+  };
+  return error(thorough) <= std::max(CountTolerance, error(found)) ? thorough : found;
+}
+
+/// Sets the normals of quads: the mean of those of the triangles at their corners.
+void SetNormals(const MeshTopology& topology, QuadMesh& mesh)
+{
+  for (const std::array<int, 4>& quad : mesh.quads)
+  {
+    SpacePoint normal = SpacePoint::Zero();
+    for (const int point : quad)
+    {
+      normal += topology.NormalOf(mesh.points[point].triangle);
+    }
+    mesh.normals.push_back(normal.normalized());
+  }
+}
+
+/// Names the boundary edges, which follow each other along every loop: a side ends at a corner.
+void NameSides(QuadMesh& mesh)
+{
+  const auto isCorner = [&mesh](const QuadBoundaryEdge& edge)
+  { return mesh.points[edge.points[0]].quarterIndex != 0; };
+  int outer = 0;
+  int hole = 0;
+  for (auto begin = mesh.boundary.begin(); begin != mesh.boundary.end();)
+  {
+    const auto end = std::find_if(begin, mesh.boundary.end(),
+      [begin](const QuadBoundaryEdge& edge) { return edge.id != begin->id; });
+    const auto first = std::find_if(begin, end, isCorner);
+    std::rotate(begin, first == end ? begin : first, end);
+    for (auto edge = begin; edge != end; ++edge)
+    {
+      if (edge == begin || isCorner(*edge))
+      {
+        const bool isOuter = edge->kind == BoundaryKind::Outer;
+        mesh.sideNames.push_back(
+          isOuter ? "outer" + std::to_string(outer++) : "hole" + std::to_string(hole++));
+      }
+      edge->side = static_cast<int>(mesh.sideNames.size()) - 1;
+    }
+    begin = end;
+  }
+}
+}
+
+QuadResult MakeSurfaceQuads(
+  const Layout& layout, const SurfaceQuadOptions& options, const Progress& progress)
+{
+  RequireSize(options.quadSize, options.quadCount);
+  const MeshTopology& topology = *layout.map.topology;
+  QuadResult result;
+  result.tMesh = layout.tMesh;
+  result.counts = ComputeCounts(result.tMesh, topology, options, progress.Part(0.0, 0.5));
+  result.size = result.counts.size;
+  Stopwatch stopwatch;
+  RequireMemory(static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
+    "This number of quads", "use a larger size or fewer quads");
+  result.mesh = BuildQuadsInSpace(layout.map, result.tMesh, result.counts.counts,
+    EqualSpacing(result.tMesh, result.counts.counts), result.size);
+  SetNormals(topology, result.mesh);
+  NameSides(result.mesh);
+  result.blocks = FindBlocks(result.mesh);
+  result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
+  result.layoutSeconds = stopwatch.Lap();
+  result.quality = MeasureQuads(result.mesh, result.size);
+  progress.Report(1.0);
+  return result;
+}
+}

@@ -1,0 +1,238 @@
+#include "Support.h"
+#include "SurfaceMap.h"
+#include "SurfaceQuads.h"
+#include "SurfaceTopology.h"
+#include "Surfaces.h"
+#include "TMeshPatches.h"
+#include "VertexPotential.h"
+
+#include <cmath>
+#include <set>
+
+namespace crossfield::test
+{
+namespace
+{
+Layout LayOutSurface(const SurfaceMesh& surface, const std::vector<Cone>& cones)
+{
+  Layout layout;
+  layout.map = SolveSurfaceMap(std::make_shared<const SurfaceTopology>(surface), cones);
+  layout.separatrices = TraceSeparatrices(layout.map);
+  layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
+  return layout;
+}
+
+/// Cones of index 1 at the corners of the cube.
+std::vector<Cone> ConesOfCube()
+{
+  std::vector<Cone> cones;
+  for (int vertex = 0; vertex < 8; ++vertex)
+  {
+    cones.push_back({ vertex, 1, false, vertex });
+  }
+  return cones;
+}
+
+TEST(SurfaceQuads, OfTheSphereAreThoseOfACube)
+{
+  SurfaceQuadOptions options;
+  options.quadCount = 600;
+  const QuadResult result =
+    MakeSurfaceQuads(LayOutSurface(CubedSphere(12), ConesOfCube()), options);
+  EXPECT_EQ(result.mesh.quads.size(), 600u);
+  EXPECT_EQ(result.blocks.blocks.size(), 6u);
+  EXPECT_EQ(result.mesh.EulerCharacteristic(), 2);
+  EXPECT_EQ(result.quality.inverted, 0);
+  EXPECT_GT(result.quality.jacobian.min, 0.8); // of 0.866
+  EXPECT_NEAR(result.quality.bound, std::sin(2.0 * Pi / 3.0), 1e-12);
+  for (std::size_t q = 0; q < result.mesh.quads.size(); ++q)
+  {
+    const auto& quad = result.mesh.quads[q];
+    const auto at = [&](std::size_t i) { return result.mesh.points[quad[i]].place; };
+    const SpacePoint normal = (at(2) - at(0)).cross(at(3) - at(1));
+    EXPECT_GT(normal.dot(at(0)), 0.0); // the outside of the sphere is outside
+    EXPECT_GT(normal.dot(result.mesh.normals[q]), 0.0);
+  }
+}
+
+TEST(SurfaceQuads, OfTheTorusHaveNoIrregularNode)
+{
+  const Layout layout = LayOutSurface(Torus(2.5, 60, 24), {});
+  EXPECT_EQ(layout.tMesh.patches.size(), 1u);
+  EXPECT_EQ(layout.tMesh.arcs.size(), 2u);
+  SurfaceQuadOptions options;
+  options.quadSize = 0.4;
+  const QuadResult result = MakeSurfaceQuads(layout, options);
+  EXPECT_EQ(result.mesh.EulerCharacteristic(), 0);
+  for (const QuadPoint& point : result.mesh.points)
+  {
+    EXPECT_EQ(point.valence, 4);
+  }
+  EXPECT_GT(result.quality.jacobian.min, 0.9);
+}
+
+TEST(SurfaceQuads, OfAHemisphereHaveOneSide)
+{
+  const SurfaceMesh half = Hemisphere(12);
+  std::vector<Cone> cones;
+  for (int vertex = 0; vertex < static_cast<int>(half.points.size()); ++vertex)
+  {
+    if ((half.points[vertex].cwiseAbs().array() - std::sqrt(1.0 / 3.0)).abs().maxCoeff() < 1e-9)
+    {
+      cones.push_back({ vertex, 1, false, static_cast<int>(cones.size()) });
+    }
+  }
+  SurfaceQuadOptions options;
+  options.quadCount = 300;
+  const QuadResult result = MakeSurfaceQuads(LayOutSurface(half, cones), options);
+  EXPECT_EQ(result.mesh.EulerCharacteristic(), 1);
+  EXPECT_EQ(result.mesh.sideNames, std::vector<std::string>{ "outer0" });
+  for (const QuadBoundaryEdge& edge : result.mesh.boundary)
+  {
+    EXPECT_EQ(edge.side, 0);
+    EXPECT_NEAR(result.mesh.points[edge.points[0]].place.z(), 0.0, 1e-12);
+  }
+  EXPECT_GE(result.mesh.boundary.size(), 12u);
+}
+
+TEST(SurfaceQuads, AreThoseOfThePlaneWhenAMeshIsBent)
+{
+  constexpr int N = 12;
+  const TriangleMesh mesh = GridOfSquare(N);
+  std::vector<Cone> cones = { { 4 * (N + 1) + 5, 1, false, 0 }, { 8 * (N + 1) + 7, -1, false, 1 } };
+  for (const int corner : { 0, N, N * (N + 1), (N + 1) * (N + 1) - 1 })
+  {
+    cones.push_back({ corner, 1, true, -1 });
+  }
+  SurfaceMesh flat;
+  flat.points = InSpace(mesh.points);
+  flat.triangles = mesh.triangles;
+  SurfaceQuadOptions options;
+  options.quadSize = 0.04;
+  const QuadResult planar = MakeSurfaceQuads(LayOutSurface(flat, cones), options);
+  const QuadResult bent =
+    MakeSurfaceQuads(LayOutSurface(BentAtRandom(mesh, N, 556), cones), options);
+  EXPECT_EQ(planar.counts.counts, bent.counts.counts);
+  EXPECT_EQ(planar.mesh.quads, bent.mesh.quads);
+  EXPECT_EQ(
+    planar.mesh.sideNames, (std::vector<std::string>{ "outer0", "outer1", "outer2", "outer3" }));
+  // Bending keeps the distance along x from the lines and that along y.
+  for (std::size_t p = 0; p < planar.mesh.points.size(); ++p)
+  {
+    EXPECT_EQ(planar.mesh.points[p].triangle, bent.mesh.points[p].triangle);
+  }
+}
+
+/// Cones at the vertices with curvature.
+std::vector<Cone> ConesOfCurvature(const SurfaceMesh& surface)
+{
+  const SurfaceTopology topology(surface);
+  std::vector<Cone> cones;
+  for (int vertex = 0; vertex < topology.VertexCount(); ++vertex)
+  {
+    const auto quarters = static_cast<int>(std::lround(topology.CurvatureAt(vertex) / (0.5 * Pi)));
+    if (quarters != 0)
+    {
+      cones.push_back({ vertex, quarters, false, static_cast<int>(cones.size()) });
+    }
+  }
+  return cones;
+}
+
+TEST(SurfaceQuads, OfABoxWithHolesAreItsSquares)
+{
+  // With an index at each of its corners, H is constant and the map is the surface itself.
+  for (const int genus : { 1, 2, 4 })
+  {
+    const SurfaceMesh box = BoxWithHoles(genus, 2);
+    const std::vector<Cone> cones = ConesOfCurvature(box);
+    EXPECT_EQ(cones.size(), 8u + 8u * static_cast<std::size_t>(genus));
+    const Layout layout = LayOutSurface(box, cones);
+    for (const TArc& arc : layout.tMesh.arcs)
+    {
+      EXPECT_NEAR(arc.length, std::round(arc.length), 1e-9);
+    }
+    SurfaceQuadOptions options;
+    options.quadSize = 1.0;
+    const QuadResult result = MakeSurfaceQuads(layout, options);
+    EXPECT_NEAR(static_cast<double>(result.mesh.quads.size()), layout.map.topology->Area(), 1e-9);
+    EXPECT_EQ(result.mesh.EulerCharacteristic(), 2 - 2 * genus);
+    EXPECT_NEAR(result.quality.jacobian.min, 1.0, 1e-6);
+  }
+}
+
+TEST(SurfaceQuads, KeepHandlesOpenWhenTheyAreLarge)
+{
+  for (const int genus : { 1, 2, 4 })
+  {
+    const SurfaceMesh box = BoxWithHoles(genus, 2);
+    const Layout layout = LayOutSurface(box, ConesOfCurvature(box));
+    for (const double size : { 1.7, 2.5, 4.0, 10.0 })
+    {
+      SurfaceQuadOptions options;
+      options.quadSize = size;
+      const QuadResult result = MakeSurfaceQuads(layout, options);
+      EXPECT_EQ(result.mesh.EulerCharacteristic(), 2 - 2 * genus) << size;
+    }
+  }
+  const Layout torus = LayOutSurface(Torus(2.5, 30, 12), {});
+  for (const double size : { 2.0, 10.0, 100.0 })
+  {
+    SurfaceQuadOptions options;
+    options.quadSize = size;
+    EXPECT_EQ(MakeSurfaceQuads(torus, options).mesh.EulerCharacteristic(), 0) << size;
+  }
+}
+
+TEST(SurfaceQuads, OfRandomSingularitiesOnATorusHaveTheirValences)
+{
+  // Random positions, of which those are taken whose crosses nearly close up.
+  const auto topology = std::make_shared<const SurfaceTopology>(Torus(2.5, 60, 24));
+  const VertexPotential potential(topology);
+  Random random(559);
+  int made = 0;
+  for (int trial = 0; trial < 20000 && made < 5; ++trial)
+  {
+    std::vector<Cone> cones;
+    std::set<int> taken;
+    while (cones.size() < 6)
+    {
+      const int vertex = random.Integer(0, topology->VertexCount() - 1);
+      if (taken.insert(vertex).second)
+      {
+        const auto number = static_cast<int>(cones.size());
+        cones.push_back({ vertex, number % 2 == 0 ? 1 : -1, false, number });
+      }
+    }
+    const std::vector<double> defect =
+      potential.Solve(QuartersOfVertices(*topology, cones)).holonomyDefect;
+    if (std::max(std::abs(defect[0]), std::abs(defect[1])) > 0.1)
+    {
+      continue;
+    }
+    ++made;
+    Layout layout;
+    layout.map = SolveSurfaceMap(topology, cones);
+    layout.separatrices = TraceSeparatrices(layout.map);
+    layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
+    SurfaceQuadOptions options;
+    options.quadCount = 500 << made % 3;
+    const QuadResult result = MakeSurfaceQuads(layout, options);
+    EXPECT_EQ(result.mesh.EulerCharacteristic(), 0);
+    for (const QuadPoint& point : result.mesh.points)
+    {
+      EXPECT_EQ(point.valence, 4 - point.quarterIndex);
+    }
+  }
+  EXPECT_EQ(made, 5);
+}
+
+TEST(SurfaceQuads, RefuseNoSize)
+{
+  SurfaceQuadOptions options;
+  options.quadCount = 0;
+  const Layout layout = LayOutSurface(CubedSphere(4), ConesOfCube());
+  EXPECT_TRUE(Refuses([&] { MakeSurfaceQuads(layout, options); }, { "positive" }));
+}
+}
+}
