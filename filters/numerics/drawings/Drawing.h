@@ -35,9 +35,17 @@ struct DrawingFace
   std::string material;
 };
 
+/// Polygons of a mesh that is a surface in space.
+struct DrawingSurface
+{
+  std::vector<SpacePoint> points;
+  std::vector<std::vector<int>> polygons; ///< Indices of points.
+};
+
 /// Contents of a drawing that a boundary can consist of.
 struct Drawing
 {
+  DrawingSurface surface; ///< If it has polygons, the drawing has nothing else.
   std::vector<DrawingPiece> pieces;
   /// The faces of a mesh, if they have several materials; `pieces` then has its lines inside as well.
   std::vector<DrawingFace> faces;

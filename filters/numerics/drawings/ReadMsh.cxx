@@ -322,8 +322,40 @@ private:
 
   bool HasMaterials() const { return this->UsedSurfaces.size() > 1; }
 
+  /// Returns the faces if they are a surface in space, else none.
+  DrawingSurface FindSurface() const
+  {
+    DrawingSurface surface;
+    std::unordered_map<std::size_t, int> numbers;
+    for (const Face& face : this->Faces)
+    {
+      surface.polygons.emplace_back();
+      for (const std::size_t node : face.nodes)
+      {
+        const auto [found, isNew] = numbers.emplace(node, static_cast<int>(surface.points.size()));
+        if (isNew)
+        {
+          surface.points.push_back(this->PlaceOf(node));
+        }
+        surface.polygons.back().push_back(found->second);
+      }
+    }
+    Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(surface.points.size()));
+    for (std::size_t i = 0; i < surface.points.size(); ++i)
+    {
+      places.col(static_cast<Eigen::Index>(i)) = surface.points[i];
+    }
+    return DomainPlane::Nearest(places).IsNear() ? DrawingSurface() : surface;
+  }
+
   Drawing Finish() const
   {
+    Drawing drawing;
+    drawing.surface = this->FindSurface();
+    if (!drawing.surface.polygons.empty())
+    {
+      return drawing;
+    }
     std::vector<const Edge*> used;
     std::vector<const Eigen::Vector3d*> places;
     std::size_t inside = 0;
@@ -350,7 +382,6 @@ private:
     {
       columns.col(static_cast<Eigen::Index>(i)) = *places[i];
     }
-    Drawing drawing;
     drawing.FindPlane(columns);
     for (const Edge* edge : used)
     {

@@ -33,6 +33,7 @@ Drawing ReadOff(std::string_view text, const std::string& file)
     }
   }
   std::map<std::pair<int, int>, int> faces; // numbers of faces of edges
+  DrawingSurface surface;
   for (int face = 0; face < faceCount; ++face)
   {
     lines.Next();
@@ -46,9 +47,11 @@ Drawing ReadOff(std::string_view text, const std::string& file)
       }
       return number;
     };
+    surface.polygons.emplace_back();
     for (std::size_t i = 0; i < corners; ++i)
     {
       ++faces[std::minmax({ corner(i), corner(i + 1) })];
+      surface.polygons.back().push_back(corner(i));
     }
   }
   std::vector<std::pair<int, int>> boundary;
@@ -62,6 +65,16 @@ Drawing ReadOff(std::string_view text, const std::string& file)
     {
       boundary.push_back(edge);
     }
+  }
+  if (faceCount > 0 && !DomainPlane::Nearest(used).IsNear())
+  {
+    for (int i = 0; i < pointCount; ++i)
+    {
+      surface.points.emplace_back(places.col(i));
+    }
+    Drawing drawing;
+    drawing.surface = std::move(surface);
+    return drawing;
   }
   if (boundary.empty())
   {

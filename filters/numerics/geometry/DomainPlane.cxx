@@ -51,6 +51,26 @@ Vector3d LeastSquaresNormal(const Eigen::Matrix3Xd& points)
 
 DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
 {
+  DomainPlane plane = Nearest(points);
+  if (!plane.IsNear())
+  {
+    throw Error("The domain is not planar: its points are up to " + FormatNumber(plane.Deviation) +
+      " off the nearest plane and its size is " + FormatNumber(plane.Size) +
+      "; give a domain that lies in one plane, or singularities if it is a surface for quads, separatrices or "
+      "check.");
+  }
+  return plane;
+}
+
+bool DomainPlane::IsNear() const
+{
+  // 1/250 of the default edge length of triangles, a fortieth of the size.
+  constexpr double MostDeviation = 1e-4;
+  return this->Deviation <= MostDeviation * this->Size;
+}
+
+DomainPlane DomainPlane::Nearest(const Eigen::Matrix3Xd& points)
+{
   DomainPlane plane;
   if (points.cols() == 0 || !points.allFinite())
   {
@@ -59,8 +79,6 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   const Vector3d lower = points.rowwise().minCoeff();
   const Vector3d extent = points.rowwise().maxCoeff() - lower;
   plane.Size = extent.norm();
-  // 1/250 of the default edge length of triangles, a fortieth of the size.
-  constexpr double MostDeviation = 1e-4;
   // Coordinates stored in single precision have a relative error of 6e-8.
   constexpr double Flatness = 1e-6;
   if (extent.z() <= Flatness * (std::hypot(extent.x(), extent.y()) + std::abs(lower.z())))
@@ -92,12 +110,6 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   const double deviation = 0.5 * (heights.maxCoeff() - heights.minCoeff());
   constexpr auto SinglePrecision = static_cast<double>(std::numeric_limits<float>::epsilon());
   const double rounding = Flatness * plane.Size + SinglePrecision * reach;
-  if (deviation > std::max(MostDeviation * plane.Size, rounding))
-  {
-    throw Error("The domain is not planar: its points are up to " + FormatNumber(deviation) +
-      " off the nearest plane and its size is " + FormatNumber(plane.Size) +
-      "; give a domain that lies in one plane.");
-  }
   if (deviation > rounding)
   {
     plane.Deviation = deviation;
@@ -147,6 +159,12 @@ Vector3d DomainPlane::ToSpace(const Point& point) const
     return { point.x(), point.y(), this->Offset };
   }
   return point.x() * this->Axis1 + point.y() * this->Axis2 + this->Offset * this->Normal;
+}
+
+Vector3d DomainPlane::PlaceToSpace(const SpacePoint& place) const
+{
+  const Vector3d below = this->ToSpace(Point(place.head<2>()));
+  return place.z() == 0.0 ? below : Vector3d(below + place.z() * this->Normal);
 }
 
 Vector3d DomainPlane::DirectionToSpace(const Point& direction) const

@@ -31,6 +31,12 @@ public:
   /// such points are refused elsewhere.
   static DomainPlane Find(const Eigen::Matrix3Xd& points);
 
+  /// Works as Find, but does not throw.
+  static DomainPlane Nearest(const Eigen::Matrix3Xd& points);
+
+  /// Returns whether the points are as near to the plane as Find requires.
+  bool IsNear() const;
+
   /// Returns whether the plane is z = const. The z coordinates of input that belongs to the domain
   /// are then ignored.
   bool IsHorizontal() const { return this->Normal == Eigen::Vector3d::UnitZ(); }
@@ -49,6 +55,9 @@ public:
 
   /// Returns the point in space with the given plane coordinates.
   Eigen::Vector3d ToSpace(const Point& point) const;
+
+  /// Returns the point in space of a point with plane coordinates x and y and the height z above the plane.
+  Eigen::Vector3d PlaceToSpace(const SpacePoint& place) const;
 
   /// Returns the direction in space of a direction in the plane.
   Eigen::Vector3d DirectionToSpace(const Point& direction) const;

@@ -2,6 +2,7 @@
 
 #include "BoundaryCorners.h"
 #include "Error.h"
+#include "SurfaceParts.h"
 #include "UnionFind.h"
 
 #include <algorithm>
@@ -64,14 +65,9 @@ private:
 
   void RequireAreas() const
   {
-    // Below this height relative to its longest side, a triangle has no direction beyond rounding.
-    constexpr double Flat = 1e-12;
     for (const auto& v : this->Surface.triangles)
     {
-      const SpacePoint a = this->Surface.points[v[1]] - this->Surface.points[v[0]];
-      const SpacePoint b = this->Surface.points[v[2]] - this->Surface.points[v[0]];
-      const double longest = std::max({ a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm() });
-      if (!(a.cross(b).norm() > Flat * longest))
+      if (IsFlat(this->Surface, v))
       {
         throw Error("The triangle at " + this->PlaceOf(v[0]) + " has no area; remove it.");
       }

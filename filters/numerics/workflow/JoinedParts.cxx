@@ -115,9 +115,9 @@ void Join(const QuadBlocks& from, std::size_t points, QuadBlocks& to)
 class JoinedParts
 {
 public:
-  void Add(const QuadWorkflowResult& from, const DomainPart& part, const PartRequest& request,
-    const std::string& prefix)
+  void Add(const PartOfQuads& part, const std::string& prefix)
   {
+    const QuadWorkflowResult& from = part.quads;
     std::vector<int> sides;
     for (const std::string& name : from.quads.mesh.sideNames)
     {
@@ -136,8 +136,8 @@ public:
           side = sides[static_cast<std::size_t>(side)];
         }
       });
-    this->AddReports(from, request, prefix);
-    this->Loops += part.domain.loops.size();
+    this->AddReports(from, part.rows, prefix);
+    this->Loops += part.loops;
     ++this->Parts;
   }
 
@@ -199,6 +199,7 @@ private:
       { std::for_each(quad.begin(), quad.end(), [&](int& point) { Shift(point, points); }); });
     Append(to.targetLengths, from.targetLengths);
     Append(to.patch, from.patch, [&](int& patch) { Shift(patch, patches); });
+    Append(to.normals, from.normals);
     Append(to.boundary, from.boundary,
       [&](QuadBoundaryEdge& edge)
       {
@@ -222,7 +223,7 @@ private:
   }
 
   void AddReports(
-    const QuadWorkflowResult& from, const PartRequest& request, const std::string& prefix)
+    const QuadWorkflowResult& from, const std::vector<std::size_t>& rows, const std::string& prefix)
   {
     QuadWorkflowResult& to = this->Result;
     const auto name = [&prefix](std::string& sentence) { sentence = prefix + sentence; };
@@ -231,8 +232,7 @@ private:
     if (from.moves)
     {
       to.moves = to.moves ? std::move(to.moves) : std::vector<SingularityMove>();
-      Append(
-        *to.moves, *from.moves, [&](SingularityMove& move) { move.row = request.rows[move.row]; });
+      Append(*to.moves, *from.moves, [&](SingularityMove& move) { move.row = rows[move.row]; });
     }
     Append(to.corners, from.corners);
     to.ambiguousCorners += from.ambiguousCorners;
@@ -294,36 +294,50 @@ private:
 };
 }
 
-QuadWorkflowResult MakeQuadsOfParts(
-  const std::vector<DomainPart>& parts, const QuadRequest& request, const Progress& progress)
+QuadWorkflowResult JoinQuads(
+  std::size_t parts, const std::function<PartOfQuads(std::size_t part)>& make)
 {
-  const std::vector<PartRequest> requests = SplitRequest(parts, request);
-  if (parts.size() == 1)
+  if (parts == 1)
   {
-    QuadWorkflowResult result = MakeQuadMesh(parts[0].domain, requests[0].request, progress);
+    QuadWorkflowResult result = make(0).quads;
     result.part.assign(result.quads.mesh.quads.size(), 0);
     return result;
   }
   JoinedParts joined;
-  double done = 0.0;
-  for (std::size_t p = 0; p < parts.size(); ++p)
+  for (std::size_t p = 0; p < parts; ++p)
   {
-    const double end = std::min(1.0, done + requests[p].share);
     const std::string number = "Part " + std::to_string(p + 1);
     try
     {
-      joined.Add(MakeQuadMesh(parts[p].domain, requests[p].request, progress.Part(done, end)),
-        parts[p], requests[p], number + ": ");
+      joined.Add(make(p), number + ": ");
     }
     catch (const Error& error)
     {
-      throw Error(
-        number + " of " + std::to_string(parts.size()) + " (1 is the largest): " + error.what(),
+      throw Error(number + " of " + std::to_string(parts) + " (1 is the largest): " + error.what(),
         error.GetKind());
     }
-    done = end;
   }
-  QuadWorkflowResult result = joined.Get();
+  return joined.Get();
+}
+
+QuadWorkflowResult MakeQuadsOfParts(
+  const std::vector<DomainPart>& parts, const QuadRequest& request, const Progress& progress)
+{
+  const std::vector<PartRequest> requests = SplitRequest(parts, request);
+  double done = 0.0;
+  QuadWorkflowResult result = JoinQuads(parts.size(),
+    [&](std::size_t p)
+    {
+      const double begin = done;
+      done = parts.size() == 1 ? 1.0 : std::min(1.0, done + requests[p].share);
+      return PartOfQuads{ MakeQuadMesh(
+                            parts[p].domain, requests[p].request, progress.Part(begin, done)),
+        parts[p].domain.loops.size(), requests[p].rows };
+    });
+  if (parts.size() == 1)
+  {
+    return result;
+  }
   const bool isPrescribed =
     !request.sideRequests.empty() || request.minimumSize > 0.0 || request.maximumSize > 0.0;
   const std::string warning = DescribeCount(request, isPrescribed, result.quads);

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "SeamlessMap.h"
+#include "SurfaceMesh.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crossfield
+{
+struct SurfaceTopology;
+
+/// A singularity of a surface in space.
+struct SurfaceSingularity
+{
+  SpacePoint place = SpacePoint::Zero();
+  int quarterIndex = 1;
+};
+
+/// A connected part of a surface with its singularities and the corners of its boundary at vertices.
+struct ConedSurface
+{
+  std::shared_ptr<const SurfaceTopology> topology;
+  std::vector<Cone> cones;
+  std::vector<std::string> events; ///< One sentence for each singularity that is not at its place.
+
+  /// Returns the sum that the quarter indices of singularities must have: 4χ minus those of corners.
+  int RequiredQuarters() const;
+  /// Returns that of the singularities.
+  int GivenQuarters() const;
+};
+
+/// The parts of a surface, the largest area first, and what was repaired.
+struct ConedSurfaces
+{
+  std::vector<ConedSurface> parts;
+  std::vector<std::string> events; ///< As in SurfaceParts.
+};
+
+/// Finds the parts of a surface and places each singularity on a vertex of the nearest one; corners of the boundary have the
+/// quarter index nearest to their angle (docs/method.md §22.6). Throws Error as FindSurfaceParts does, and if a
+/// singularity is farther from the surface than its triangle there is long or has no vertex of its own.
+ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities);
+
+/// Returns one sentence about the sums of quarter indices.
+std::string DescribeQuarters(const ConedSurface& part);
+
+/// Whether a field with given singularities exists on a surface, and why.
+struct SurfaceCheck
+{
+  bool consistent = false;
+  std::string reason; ///< One sentence.
+  /// Of each part, one after the other; empty unless consistent.
+  std::vector<double> holonomyDefect;
+};
+
+/// Compares the quarter indices of singularities with those that each part needs, and finds by how much crosses do not
+/// close up around handles and loops. Throws Error as VertexPotential does.
+SurfaceCheck CheckSurface(const ConedSurfaces& surfaces);
+}

@@ -1,0 +1,79 @@
+#include "SurfaceQuadWorkflow.h"
+
+#include "Error.h"
+#include "JoinedParts.h"
+#include "QuadAdvice.h"
+#include "Stopwatch.h"
+#include "SurfaceMap.h"
+#include "SurfaceQuads.h"
+#include "SurfaceTopology.h"
+#include "TMeshPatches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+PartOfQuads MakeQuadsOfPart(
+  const ConedSurface& part, const SurfaceQuadOptions& options, const Progress& progress)
+{
+  PartOfQuads made;
+  QuadWorkflowResult& result = made.quads;
+  if (part.GivenQuarters() != part.RequiredQuarters())
+  {
+    throw Error(DescribeQuarters(part), Error::Kind::Inconsistent);
+  }
+  Stopwatch clock;
+  Layout layout;
+  layout.map = SolveSurfaceMap(part.topology, part.cones, progress.Part(0.0, 0.6));
+  result.seconds.map = clock.Lap();
+  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.6, 0.7));
+  layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
+  result.seconds.trace = clock.Lap();
+  result.quads = MakeSurfaceQuads(layout, options, progress.Part(0.7, 1.0));
+  result.seconds.integers = result.quads.counts.seconds;
+  result.seconds.layout = result.quads.layoutSeconds;
+  result.holonomyDefect = layout.map.holonomyDefect;
+  result.blocks.none = result.quads.separateBlocks;
+  result.events = part.events;
+  if (result.quads.quality.inverted > 0)
+  {
+    result.warnings.push_back(CountInverted(result.quads.quality) +
+      "; use smaller quads: those of surfaces are not smoothed.");
+  }
+  made.loops = part.topology->loops.size();
+  return made;
+}
+}
+
+QuadWorkflowResult MakeQuadsOfSurface(
+  const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
+{
+  RequireSize(request.quadSize, request.quadCount);
+  Stopwatch clock;
+  ConedSurfaces found = PlaceCones(surface, request.singularities);
+  const double placeSeconds = clock.Lap();
+  double area = 0.0;
+  for (const ConedSurface& part : found.parts)
+  {
+    area += part.topology->Area();
+  }
+  double done = 0.0;
+  QuadWorkflowResult result = JoinQuads(found.parts.size(),
+    [&](std::size_t p)
+    {
+      const double share = found.parts[p].topology->Area() / area;
+      const auto count = static_cast<int>(std::max(1.0, std::round(share * request.quadCount)));
+      const double begin = done;
+      done = std::min(1.0, done + share);
+      return MakeQuadsOfPart(
+        found.parts[p], { request.quadSize, count }, progress.Part(begin, done));
+    });
+  result.seconds.mesh = placeSeconds;
+  result.events.insert(result.events.begin(), found.events.begin(), found.events.end());
+  return result;
+}
+}

@@ -1,0 +1,103 @@
+#include "Support.h"
+#include "SurfaceQuadWorkflow.h"
+#include "SurfaceTopology.h"
+#include "Surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+std::vector<SurfaceSingularity> CornersOfCube(double radius, const SpacePoint& centre)
+{
+  std::vector<SurfaceSingularity> singularities;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const SpacePoint direction(corner % 2 * 2 - 1, corner / 2 % 2 * 2 - 1, corner / 4 * 2 - 1);
+    singularities.push_back({ centre + radius * direction.normalized(), 1 });
+  }
+  return singularities;
+}
+
+TEST(SurfaceQuadWorkflow, PlacesSingularitiesBetweenVertices)
+{
+  SurfaceRequest request;
+  request.quadCount = 600;
+  // Turned, so that they are at no vertices.
+  const Eigen::AngleAxisd turn(0.3, SpacePoint(1.0, 2.0, 3.0).normalized());
+  for (SurfaceSingularity& one : request.singularities = CornersOfCube(1.0, SpacePoint::Zero()))
+  {
+    one.place = turn * one.place;
+  }
+  const QuadWorkflowResult result = MakeQuadsOfSurface(CubedSphere(16), request);
+  EXPECT_TRUE(result.events.empty());
+  EXPECT_TRUE(result.warnings.empty());
+  EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 2);
+  for (const SurfaceSingularity& one : request.singularities)
+  {
+    const bool hasNode =
+      std::any_of(result.quads.mesh.points.begin(), result.quads.mesh.points.end(),
+        [&one](const QuadPoint& point)
+        { return point.valence == 3 && (point.place - one.place).norm() < 0.01; });
+    EXPECT_TRUE(hasNode);
+  }
+}
+
+TEST(SurfaceQuadWorkflow, MeshesPartsOneByOne)
+{
+  SurfaceMesh both = CubedSphere(8);
+  const auto count = static_cast<int>(both.points.size());
+  for (const SpacePoint& point : CubedSphere(8).points)
+  {
+    both.points.push_back(2.0 * point + SpacePoint(5.0, 0.0, 0.0));
+  }
+  for (const auto& v : CubedSphere(8).triangles)
+  {
+    both.triangles.push_back({ v[0] + count, v[1] + count, v[2] + count });
+  }
+  SurfaceRequest request;
+  request.quadCount = 1000;
+  request.singularities = CornersOfCube(1.0, SpacePoint::Zero());
+  for (const SurfaceSingularity& one : CornersOfCube(2.0, { 5.0, 0.0, 0.0 }))
+  {
+    request.singularities.push_back(one);
+  }
+  const QuadWorkflowResult result = MakeQuadsOfSurface(both, request);
+  EXPECT_EQ(result.PartCount(), 2);
+  EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 4);
+  EXPECT_EQ(result.quads.mesh.normals.size(), result.quads.mesh.quads.size());
+  const auto large = std::count(result.part.begin(), result.part.end(), 0);
+  EXPECT_NEAR(static_cast<double>(large), 800.0, 80.0); // 6 n²
+
+  request.singularities.pop_back();
+  EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(both, request); },
+    { "Part 1 of 2", "add up to 7", "needs 8" }, Error::Kind::Inconsistent));
+}
+
+TEST(SurfaceQuadWorkflow, RefusesSingularitiesOffTheSurface)
+{
+  SurfaceRequest request;
+  request.singularities = CornersOfCube(1.5, SpacePoint::Zero());
+  EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(CubedSphere(8), request); },
+    { "Singularity 1 at (", "off the surface; its nearest point is (" }));
+}
+
+TEST(SurfaceQuadWorkflow, ChecksWithoutQuads)
+{
+  const auto check = [](const SurfaceMesh& surface, int singularities)
+  {
+    std::vector<SurfaceSingularity> all = CornersOfCube(1.0, SpacePoint::Zero());
+    all.resize(static_cast<std::size_t>(singularities));
+    return CheckSurface(PlaceCones(surface, all));
+  };
+  EXPECT_TRUE(check(CubedSphere(6), 8).consistent);
+  EXPECT_FALSE(check(CubedSphere(6), 7).consistent);
+  EXPECT_NE(check(CubedSphere(6), 7).reason.find("needs 8"), std::string::npos);
+  const SurfaceCheck torus = CheckSurface(PlaceCones(Torus(2.5, 30, 12), {}));
+  EXPECT_TRUE(torus.consistent);
+  EXPECT_EQ(torus.holonomyDefect.size(), 2u);
+}
+}
+}
