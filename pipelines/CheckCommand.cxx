@@ -146,7 +146,8 @@ int Check(const CheckOptions& options)
       CheckOutput::PrintAlternatives(vtkTable::SafeDownCast(proposal->GetOutputDataObject(2)));
     }
     const bool isField = checked->GetFieldData()->HasArray(names::UnwantedSingularities) != 0;
-    if (options.corners.empty() && !isField && !hasRegions)
+    const bool isSurface = checked->GetFieldData()->HasArray(names::TotalCurvature) != 0;
+    if (options.corners.empty() && !isField && !hasRegions && !isSurface)
     {
       CheckOutput::PrintCornerHint(domain, FieldValue(checked, names::RequiredInteriorQuarters));
     }

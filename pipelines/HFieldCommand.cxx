@@ -42,13 +42,17 @@ struct HFieldOptions : MeshOptions
 void PrintSummary(vtkUnstructuredGrid* field)
 {
   const double* range = field->GetPointData()->GetArray(names::H)->GetRange();
-  std::cout << "energy " << FieldValue(field, names::Energy);
+  const bool hasEnergy = field->GetFieldData()->HasArray(names::Energy) != 0; // not on a surface
+  if (hasEnergy)
+  {
+    std::cout << "energy " << FieldValue(field, names::Energy);
+  }
   if (field->GetFieldData()->HasArray(names::RenormalizedEnergy) != 0)
   {
     std::cout << ", renormalized energy " << FieldValue(field, names::RenormalizedEnergy);
   }
-  std::cout << ", H from " << range[0] << " to " << range[1] << ", unwanted singularities "
-            << FieldValue(field, names::UnwantedSingularities);
+  std::cout << (hasEnergy ? ", " : "") << "H from " << range[0] << " to " << range[1]
+            << ", unwanted singularities " << FieldValue(field, names::UnwantedSingularities);
   vtkDataArray* defects = field->GetFieldData()->GetArray(names::HolonomyDefect);
   if (defects->GetNumberOfTuples() > 0)
   {

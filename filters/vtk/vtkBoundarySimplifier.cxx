@@ -14,6 +14,7 @@
 #include "SideText.h"
 #include "SimplifiedBoundary.h"
 #include "SmoothBoundary.h"
+#include "SurfaceConversion.h"
 #include "ThinBoundary.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -252,6 +253,17 @@ int vtkBoundarySimplifier::RequestData(
     {
       InputCheck::Require(whole);
       const bool isRequested = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
+      if (SurfaceConversion::IsSurface(whole))
+      {
+        if (isRequested || !this->Part.empty())
+        {
+          throw crossfield::Error(
+            "The domain is a surface in space, whose boundary is not simplified and whose parts "
+            "are not selected yet; leave the lengths and the part out.");
+        }
+        PassThrough(whole, output);
+        return;
+      }
       if ((isRequested || !this->Part.empty()) && !CanHaveLines(whole))
       {
         throw crossfield::Error(

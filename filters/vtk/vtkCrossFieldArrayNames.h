@@ -51,6 +51,7 @@ constexpr const char* UnwantedSingularities = "UnwantedSingularities";
 constexpr const char* EulerCharacteristic = "EulerCharacteristic";
 constexpr const char* Valence = "Valence";
 constexpr const char* TangentTurning = "TangentTurning";
+constexpr const char* TotalCurvature = "TotalCurvature";
 constexpr const char* RequiredInteriorQuarters = "RequiredInteriorQuarters";
 constexpr const char* GivenInteriorQuarters = "GivenInteriorQuarters";
 constexpr const char* Consistent = "Consistent";

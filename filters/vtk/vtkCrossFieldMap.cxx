@@ -15,6 +15,9 @@
 #include "RequestedSingularities.h"
 #include "SeamlessMapSolve.h"
 #include "Stopwatch.h"
+#include "SurfaceConversion.h"
+#include "SurfaceMap.h"
+#include "SurfaceTopology.h"
 
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -56,6 +59,22 @@ int vtkCrossFieldMap::RequestData(
       crossfield::Stopwatch stopwatch;
       vtkUnstructuredGrid* given = DrilledMeshConversion::AsDrilledMesh(domain);
       MapConversion::Map result;
+      if (given == nullptr && SurfaceConversion::IsSurface(domain))
+      {
+        if (this->RepairHolonomy || corners != nullptr || this->MeshSize > 0.0)
+        {
+          throw crossfield::Error(
+            "For a surface in space, singularities are not moved, corners not prescribed and "
+            "triangles not made yet; leave out RepairHolonomy, the corners and MeshSize.");
+        }
+        const crossfield::ConedSurfaces surfaces = SurfaceConversion::Read(domain, singularities);
+        this->StageSeconds[0] = stopwatch.Lap();
+        result.map = crossfield::SolveSurfaceMap(SurfaceConversion::Single(surfaces).topology,
+          SurfaceConversion::Single(surfaces).cones, progress);
+        this->StageSeconds[1] = stopwatch.Lap();
+        MapConversion::WriteMap(result, output);
+        return;
+      }
       crossfield::SharedPlanarTopology topology;
       crossfield::Configuration configuration;
       crossfield::SeamlessMapOptions options;

@@ -158,8 +158,8 @@ public:
   {
     this->Values["holonomy_defect"] = Json::array();
     this->Add({ names::EulerCharacteristic, names::Valence, names::TangentTurning,
-      names::RequiredInteriorQuarters, names::GivenInteriorQuarters, names::Consistent,
-      names::AmbiguousCorners, names::UnwantedSingularities, names::HoleDegree,
+      names::TotalCurvature, names::RequiredInteriorQuarters, names::GivenInteriorQuarters,
+      names::Consistent, names::AmbiguousCorners, names::UnwantedSingularities, names::HoleDegree,
       names::HoleDegreeReliable, names::HolonomyDefect, names::Reason });
     this->AddRows("corners", "corners", { names::Angle, names::QuarterIndex, names::Cancellable });
     this->AddColumns("regions", "Region",

@@ -84,6 +84,11 @@ int vtkDrawingReader::RequestData(
     [&](const crossfield::Progress& progress)
     {
       crossfield::Drawing drawing = ReadFile(this->FileName);
+      if (!drawing.surface.polygons.empty())
+      {
+        DrawingConversion::WriteSurface(drawing.surface, vtkPolyData::GetData(outputVector));
+        return;
+      }
       crossfield::KeepLayers(SideText::ReadNames(this->Layers), drawing);
       constexpr double ReadShare = 0.5;
       progress.Report(ReadShare);

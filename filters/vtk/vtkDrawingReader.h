@@ -28,6 +28,8 @@
  * If curves branch, cross or end on each other, or a mesh has several physical surfaces, the output also has
  * polygons, which cover the regions between the lines, with the cell array `Material` (strings), empty for lines.
  *
+ * The polygons of a .msh or .off file that are in no plane are a surface in space: the output has them and nothing else.
+ *
  * Entities that are no curves, repeated curves and closed gaps are reported as warnings. The reader
  * fails, with an empty output and the place, if the file is damaged, if curves do not close, and if they are
  * not in one plane.

@@ -6,12 +6,15 @@
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
 #include "DrilledMeshConversion.h"
+#include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HField.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
 #include "Stopwatch.h"
+#include "SurfaceConversion.h"
+#include "SurfaceTopology.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -51,6 +54,24 @@ int vtkHField::RequestData(
     {
       crossfield::Stopwatch stopwatch;
       vtkUnstructuredGrid* given = DrilledMeshConversion::AsDrilledMesh(domain);
+      if (given == nullptr && SurfaceConversion::IsSurface(domain))
+      {
+        if (corners != nullptr || this->MeshSize > 0.0)
+        {
+          throw crossfield::Error(
+            "For a surface in space, corners are not prescribed and triangles not made yet; leave "
+            "out the corners and MeshSize.");
+        }
+        const crossfield::ConedSurfaces surfaces = SurfaceConversion::Read(domain, singularities);
+        const crossfield::ConedSurface& part = SurfaceConversion::Single(surfaces);
+        this->StageSeconds[0] = stopwatch.Lap();
+        SurfaceConversion::WriteField(*part.topology,
+          crossfield::SolveSurfaceField(part.topology, part.cones, progress), output);
+        this->StageSeconds[1] = 0.0;
+        this->StageSeconds[2] = stopwatch.Lap();
+        this->StageSeconds[3] = 0.0;
+        return;
+      }
       crossfield::Configuration configuration;
       DrilledMeshConversion::DrilledMesh cells;
       std::shared_ptr<const crossfield::PotentialSolver> potential;

@@ -24,6 +24,10 @@
  * If the sum of quarter indices is then wrong, they have the indices of vtkBoundaryCornerClassifier
  * with the given ones fixed.
  *
+ * A surface in space on port 0, connected, is used with its triangles: singularities are moved to vertices, and H is computed without
+ * logarithms. The output has `H`, `SizeMap`, `Cross` and `Cross2` (cells), and the field data `HolonomyDefect` (of inner loops, then
+ * two for each handle), `Converged` and `UnwantedSingularities`; energies are for planes.
+ *
  * Output port 0 (vtkUnstructuredGrid): the mesh, with the arrays of vtkDrillHoles if it was made
  * here, and
  * - `H` (points, double, 1), with area mean 0. At a singular point, where H is infinite, the value

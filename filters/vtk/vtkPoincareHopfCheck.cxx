@@ -15,6 +15,8 @@
 #include "RegionConversion.h"
 #include "SideText.h"
 #include "SingularityRecord.h"
+#include "SurfaceConversion.h"
+#include "SurfaceTopology.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -155,6 +157,47 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   ColumnWriting::AddText(data, names::Reason, findings.reason);
 }
 
+/** Checks singularities of a surface in space, and writes what is known of it. */
+crossfield::SurfaceCheck CheckSurface(
+  vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* corners, vtkDataSet* output)
+{
+  if (corners != nullptr)
+  {
+    throw crossfield::Error(
+      "Corners of a surface in space cannot be prescribed yet; leave them out.");
+  }
+  const crossfield::ConedSurfaces surfaces = SurfaceConversion::Read(input, singularities);
+  const crossfield::SurfaceCheck check = crossfield::CheckSurface(surfaces);
+  int characteristic = 0;
+  int required = 0;
+  int given = 0;
+  double curvature = 0.0;
+  double turning = 0.0;
+  for (const crossfield::ConedSurface& part : surfaces.parts)
+  {
+    characteristic += part.topology->edges.EulerCharacteristic(part.topology->mesh);
+    required += part.RequiredQuarters();
+    given += part.GivenQuarters();
+    curvature += part.topology->charts->curvature.sum();
+    turning += part.topology->turning.sum();
+  }
+  output->ShallowCopy(input);
+  vtkFieldData* data = output->GetFieldData();
+  AddIntegers(data, names::EulerCharacteristic, { characteristic });
+  AddNumbers(data, names::TotalCurvature, { curvature / (2.0 * crossfield::Pi) });
+  AddNumbers(data, names::TangentTurning, { turning / (2.0 * crossfield::Pi) });
+  AddIntegers(data, names::RequiredInteriorQuarters, { required });
+  AddIntegers(data, names::GivenInteriorQuarters, { given });
+  AddIntegers(data, names::Consistent, { check.consistent ? 1 : 0 });
+  data->RemoveArray(names::HolonomyDefect);
+  if (!check.holonomyDefect.empty())
+  {
+    AddNumbers(data, names::HolonomyDefect, check.holonomyDefect);
+  }
+  ColumnWriting::AddText(data, names::Reason, check.reason);
+  return check;
+}
+
 /** Writes a heading and, below it, the reason. */
 void WriteSummary(const char* heading, const std::string& reason, bool isAlarm, vtkTable* table)
 {
@@ -220,6 +263,14 @@ int vtkPoincareHopfCheck::RequestData(
   const auto check = [&](const crossfield::Progress& progress)
   {
     vtkUnstructuredGrid* field = AsField(domain);
+    if (field == nullptr && SurfaceConversion::IsSurface(domain))
+    {
+      const crossfield::SurfaceCheck result =
+        CheckSurface(domain, singularities, corners, vtkDataSet::GetData(outputVector, 0));
+      WriteSummary(result.consistent ? "Consistent" : "Inconsistent", result.reason,
+        !result.consistent, summary);
+      return;
+    }
     const crossfield::CheckOptions options = { vtkMath::RadiansFromDegrees(this->CornerAngle),
       this->CapCorners, this->Holonomy };
     const Findings findings = field != nullptr

@@ -1,6 +1,6 @@
 /**
  * @class   vtkPoincareHopfCheck
- * @brief   check whether a cross field with given singularities can exist on a planar domain
+ * @brief   check whether a cross field with given singularities can exist on a domain
  *
  * Evaluates the generalised Poincaré-Hopf theorem: the quarter indices of the interior
  * singularities must add up to
@@ -38,6 +38,11 @@
  * consistent, and for each region there are `RegionMaterial` (string), `RegionRequiredInteriorQuarters` and
  * `RegionGivenInteriorQuarters` (int). Indices of corners at nodes of regions are chosen for all regions together;
  * `Reason` names those nodes that are irregular.
+ *
+ * For a surface in space the singularities inside and the corners of its boundary must add up to 4χ in each
+ * part. There is no `Valence`; `TotalCurvature` and `TangentTurning` (double) are the integrals of the curvature and of the
+ * turning of the boundary, corners included, over 2π, and add up to χ; `HolonomyDefect` is that of inner loops
+ * and handles (two each). Output ports 1 and 2 are empty.
  *
  * Output port 1 (vtkTable, empty with several materials): one row per boundary loop, the outer one first: `BoundaryLoop` (int),
  * `Valence`, `TangentTurning` (double), `CornerQuarters` (int, Σ k_i), `RequiredPart` (int, the

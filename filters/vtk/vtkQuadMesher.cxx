@@ -22,6 +22,7 @@
 #include "SideConversion.h"
 #include "SideText.h"
 #include "SizeConversion.h"
+#include "SurfaceConversion.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -38,6 +39,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 vtkStandardNewMacro(vtkQuadMesher);
 
@@ -88,6 +90,24 @@ int vtkQuadMesher::RequestData(
     this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
+      if (SurfaceConversion::IsSurface(domain))
+      {
+        this->RequireOptionsOfSurfaces(inputVector);
+        const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
+          SurfaceConversion::ReadTriangles(domain),
+          { SurfaceConversion::ReadSingularities(singularities), this->QuadSize, this->QuadCount },
+          progress);
+        this->Warn(result);
+        this->WriteOutputs(result, crossfield::DomainPlane(), outputVector);
+        // Numerics of the plane have no singularities in space; the irregular nodes are those.
+        vtkPolyData* used = vtkPolyData::GetData(outputVector, 3);
+        used->ShallowCopy(vtkPolyData::GetData(outputVector, 6));
+        if (!result.events.empty())
+        {
+          EnergyConversion::WriteEvents(result.events, used);
+        }
+        return;
+      }
       const std::string materialArray = MaterialCheck::FindArray(domain, this->MaterialArray);
       const std::vector<std::string> open = SideText::ReadNames(this->OpenLines);
       const LineConversion::Lines lines =
@@ -120,10 +140,7 @@ int vtkQuadMesher::RequestData(
       {
         result.warnings.push_back(materials);
       }
-      for (const std::string& warning : result.warnings)
-      {
-        vtkWarningMacro(<< warning);
-      }
+      this->Warn(result);
       this->WriteOutputs(result, plane, outputVector);
       if (regions)
       {
@@ -238,6 +255,51 @@ void vtkQuadMesher::PrescribeSides(
     request.sideRequests.back().curve = declaration.kind;
   }
   request.findsArcs = curves.findsArcs;
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::Warn(const crossfield::QuadWorkflowResult& result)
+{
+  for (const std::string& warning : result.warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::RequireOptionsOfSurfaces(vtkInformationVector** inputVector) const
+{
+  const std::pair<bool, const char*> options[] = {
+    { vtkDataSet::GetData(inputVector[2]) != nullptr, "Quarter indices of corners" },
+    { vtkTable::GetData(inputVector[SidePort]) != nullptr || !this->Sides.empty() ||
+        !this->SizesInside.empty(),
+      "Numbers and sizes of sides" },
+    { !this->SizesNear.empty() || this->MinimumSize > 0.0 || this->MaximumSize > 0.0 ||
+        this->Sizing == SizingUniform || this->Sizing == SizingField,
+      "Sizes other than those of the field" },
+    { !this->Nodes.empty(), "Nodes at positions" },
+    { !this->Layers.empty(), "Boundary layers" },
+    { !this->Periodic.empty(), "Periodic sides" },
+    { !this->Curves.empty(), "Curves" },
+    { !this->CornerRows.empty(), "Rows at corners" },
+    { !this->Lines.empty() || !this->OpenLines.empty(), "Lines inside" },
+    { !this->MaterialArray.empty() && this->MaterialArray != "none", "Materials" },
+    { !this->SideNameArray.empty(), "Names of sides" },
+    { this->MeshSize > 0.0, "A size of triangles" },
+    { this->Merge != MergeNone, "Merging blocks" },
+    { this->Prefer != PreferEnergy || this->Alternative != 0 || this->Pairs != 0 ||
+        this->Clearance > 0.0,
+      "Choosing singularities" },
+    { this->RepairHolonomy || this->SplitSingularities, "Moving or splitting singularities" },
+  };
+  for (const auto& [isSet, what] : options)
+  {
+    if (isSet)
+    {
+      throw crossfield::Error(
+        std::string(what) + " cannot be had for a surface in space yet; leave this out.");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

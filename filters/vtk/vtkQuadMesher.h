@@ -10,7 +10,10 @@
  * shape.
  *
  * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several
- * parts that do not touch, and loops in several blocks may bound one domain. Port 1, optional,
+ * parts that do not touch, and loops in several blocks may bound one domain. Surface cells that are not in a plane
+ * are a surface in space, closed or with a boundary: it needs singularities on port 1 whose quarter indices and those
+ * of corners add up to 4χ in each part, its nodes are at their places in the map and not smoothed, and
+ * of the properties only QuadSize and QuadCount apply; others are an error if they are set. Port 1, optional,
  * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
  * connection, singularities are chosen as vtkConfigurationProposal does with Automatic, then moved
  * to suit the requested quads. A connected data set without points means no singularities.
@@ -552,6 +555,8 @@ private:
     vtkDataSet* corners, const crossfield::DomainPlane& plane) const;
   void PrescribeSides(
     vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const;
+  void RequireOptionsOfSurfaces(vtkInformationVector** inputVector) const;
+  void Warn(const crossfield::QuadWorkflowResult& result);
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);
   void WriteSummary(const crossfield::QuadWorkflowResult& result,

@@ -1,12 +1,11 @@
 #include "vtkSeparatrices.h"
 
+#include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
 #include "MapConversion.h"
 #include "PatchConversion.h"
-#include "PlanarDomain.h"
-#include "PlanarTopology.h"
 #include "Stopwatch.h"
 #include "TMeshConversion.h"
 #include "TMeshPatches.h"
@@ -65,12 +64,15 @@ int vtkSeparatrices::RequestData(
     [&](const crossfield::Progress& progress)
     {
       const MapConversion::Map map = MapConversion::ReadMap(input);
+      if (seeds != nullptr && map.map.topology->charts)
+      {
+        throw crossfield::Error(
+          "Streamlines of a surface in space cannot start at seeds yet; leave the seeds out.");
+      }
       const std::vector<crossfield::Point> places = ReadSeeds(seeds, map.plane);
-      const double area =
-        crossfield::PlanarDomain{ crossfield::RequirePlanar(map.map.topology)->AlignedLoops() }
-          .Area();
-      const double longest =
-        this->LongestStreamline > 0.0 ? this->LongestStreamline : 10.0 * std::sqrt(area);
+      const double longest = this->LongestStreamline > 0.0
+        ? this->LongestStreamline
+        : 10.0 * std::sqrt(map.map.topology->Area());
       crossfield::Stopwatch stopwatch;
       const crossfield::TraceGraph graph =
         crossfield::TraceSeparatrices(map.map, progress.Part(0.2, 0.8));

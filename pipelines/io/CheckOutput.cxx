@@ -29,8 +29,11 @@ namespace CheckOutput
 void Print(vtkPoincareHopfCheck* check)
 {
   vtkDataSet* domain = check->GetOutput();
+  const char* const part =
+    domain->GetFieldData()->HasArray(names::Valence) != 0 ? names::Valence : names::TotalCurvature;
   std::cout << "Euler characteristic " << FieldValue(domain, names::EulerCharacteristic)
-            << ", valence " << FieldValue(domain, names::Valence) << ", tangent turning "
+            << (part == names::Valence ? ", valence " : ", total curvature ")
+            << FieldValue(domain, part) << ", tangent turning "
             << FieldValue(domain, names::TangentTurning) << "\ninterior quarter indices: required "
             << FieldValue(domain, names::RequiredInteriorQuarters) << ", given "
             << FieldValue(domain, names::GivenInteriorQuarters) << "\n";

@@ -25,6 +25,7 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -84,22 +85,58 @@ vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file, const std::strin
   return source;
 }
 
-/** Throws if a property lacks words: vtkPLYReader would read uninitialised memory. */
+/** Throws unless a line begins with three finite numbers: the readers of VTK would take 0 for others. */
+void RequireNumbers(std::istream& words, int number, const std::string& file)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    double value = 0.0;
+    if (!(words >> value))
+    {
+      throw Error("Line " + std::to_string(number) + " of '" + file +
+        "' does not hold three finite numbers; correct it.");
+    }
+  }
+}
+
+/**
+ * Throws if a property lacks words, for which vtkPLYReader would read uninitialised memory, or if a coordinate in ASCII is
+ * not a number.
+ */
 void RequireProperties(const std::string& file)
 {
   std::ifstream stream(file);
   std::string line;
-  for (int number = 1; std::getline(stream, line) && line.compare(0, 10, "end_header") != 0;
-       ++number)
+  bool isText = false;
+  bool beginsWithPoints = false; // x, y and z are the first properties of the first element
+  long long points = 0;
+  std::string properties;
+  int number = 1;
+  for (; std::getline(stream, line) && line.compare(0, 10, "end_header") != 0; ++number)
   {
     std::istringstream stringOfWords(line);
     const std::vector<std::string> words{ std::istream_iterator<std::string>(stringOfWords), {} };
+    isText = isText || (words.size() > 1 && words[0] == "format" && words[1] == "ascii");
+    if (words.size() > 2 && words[0] == "element" && points == 0 && properties.empty())
+    {
+      points = words[1] == "vertex" ? std::strtoll(words[2].c_str(), nullptr, 10) : -1;
+    }
+    if (words.size() == 3 && words[0] == "property")
+    {
+      properties += words[2];
+      beginsWithPoints = beginsWithPoints || properties == "xyz";
+    }
     if (!words.empty() && words[0] == "property" &&
       words.size() != (words.size() > 1 && words[1] == "list" ? 5 : 3))
     {
       throw Error("Line " + std::to_string(number) + " of '" + file +
         "' must be 'property TYPE NAME' or 'property list TYPE TYPE NAME'; correct it.");
     }
+  }
+  for (long long i = 0; isText && beginsWithPoints && i < points && std::getline(stream, line); ++i)
+  {
+    std::istringstream words(line);
+    RequireNumbers(words, ++number, file);
   }
 }
 
@@ -113,14 +150,9 @@ void RequireNumbers(const std::string& file)
     std::istringstream words(line);
     std::string word;
     words >> word;
-    for (int i = 0; word == "v" && i < 3; ++i)
+    if (word == "v")
     {
-      double value = 0.0;
-      if (!(words >> value))
-      {
-        throw Error("Line " + std::to_string(number) + " of '" + file +
-          "' does not hold three finite numbers; correct it.");
-      }
+      RequireNumbers(words, number, file);
     }
   }
 }

@@ -130,4 +130,26 @@ void WriteFaces(const crossfield::Drawing& drawing, const std::vector<crossfield
   ColumnWriting::AddColumn<vtkStringArray>(output->GetCellData(), names::Side, sides, text);
   ColumnWriting::AddColumn<vtkStringArray>(output->GetCellData(), names::Material, materials, text);
 }
+
+//------------------------------------------------------------------------------
+void WriteSurface(const crossfield::DrawingSurface& surface, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const crossfield::SpacePoint& point : surface.points)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  vtkNew<vtkCellArray> polygons;
+  for (const std::vector<int>& polygon : surface.polygons)
+  {
+    polygons->InsertNextCell(static_cast<int>(polygon.size()));
+    for (const int point : polygon)
+    {
+      polygons->InsertCellPoint(point);
+    }
+  }
+  output->SetPoints(points);
+  output->SetPolys(polygons);
+}
 }

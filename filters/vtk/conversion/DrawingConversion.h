@@ -22,6 +22,9 @@ void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingO
  */
 void WriteFaces(const crossfield::Drawing& drawing, const std::vector<crossfield::DrawnLine>& inner,
   vtkPolyData* output);
+
+/** Writes the polygons of a surface in space. */
+void WriteSurface(const crossfield::DrawingSurface& surface, vtkPolyData* output);
 }
 
 #endif

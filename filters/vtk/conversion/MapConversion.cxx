@@ -6,6 +6,7 @@
 #include "Index.h"
 #include "InputCheck.h"
 #include "PlanarTopology.h"
+#include "SurfaceTopology.h"
 #include "UsedPoints.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -16,6 +17,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace names = vtkCrossFieldArrayNames;
@@ -49,6 +51,30 @@ int RequireInteger(vtkDataArray* array, vtkIdType tuple, int component, int mini
   }
   return static_cast<int>(value);
 }
+
+/** Returns the directions of boundary edges, given for the edges in another order. */
+std::vector<int> InOrderOf(const std::vector<crossfield::BoundaryEdge>& edges,
+  const std::vector<crossfield::BoundaryEdge>& given, const std::vector<int>& directions)
+{
+  std::map<std::array<int, 2>, int> directionOf;
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    directionOf[given[i].vertices] = directions[i];
+  }
+  std::vector<int> ordered;
+  for (const crossfield::BoundaryEdge& edge : edges)
+  {
+    const auto found = directionOf.find(edge.vertices);
+    if (found == directionOf.end())
+    {
+      throw crossfield::Error(
+        "A boundary edge of the seamless map has no line; give the output of the cross field map "
+        "filter as it is.");
+    }
+    ordered.push_back(found->second);
+  }
+  return ordered;
+}
 }
 
 namespace MapConversion
@@ -76,7 +102,7 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   for (vtkIdType p = 0; p < pointCount; ++p)
   {
     const int vertex = map.original[p];
-    points->SetPoint(p, written.plane.ToSpace(map.topology->PositionOf(vertex).head<2>()).data());
+    points->SetPoint(p, written.plane.PlaceToSpace(map.topology->PositionOf(vertex)).data());
     const Point& w = map.points[p];
     uv->SetTuple2(p, w.x(), w.y());
     vertices->SetValue(p, vertex);
@@ -156,8 +182,10 @@ Map ReadMap(vtkUnstructuredGrid* input)
   vtkDataArray* rows = RequireArray(input->GetFieldData(), names::ConeRow, 1);
 
   const UsedPoints used(input);
-  result.plane = used.FindPlane(input);
+  result.plane = used.NearestPlane(input);
+  const bool isSurface = !result.plane.IsNear();
   crossfield::TriangleMesh mesh;
+  std::vector<crossfield::SpacePoint> places; // of a surface in space
   const auto pointCount = static_cast<int>(input->GetNumberOfPoints());
   const auto coneCount = static_cast<int>(rows->GetNumberOfTuples());
   map.cones.resize(Index(coneCount));
@@ -168,6 +196,8 @@ Map ReadMap(vtkUnstructuredGrid* input)
     Eigen::Vector3d place;
     input->GetPoint(p, place.data());
     mesh.points[vertex] = result.plane.ToPlane(place);
+    places.resize(mesh.points.size());
+    places[vertex] = place;
     map.original.push_back(vertex);
     map.points.emplace_back(uv->GetComponent(p, 0), uv->GetComponent(p, 1));
     const int cone = RequireInteger(cones, p, 0, -1, coneCount - 1);
@@ -217,6 +247,14 @@ Map ReadMap(vtkUnstructuredGrid* input)
   for (crossfield::Cone& cone : map.cones)
   {
     cone.onBoundary = onBoundary[cone.vertex];
+  }
+  if (isSurface)
+  {
+    result.plane = crossfield::DomainPlane();
+    map.topology = std::make_shared<const crossfield::SurfaceTopology>(
+      crossfield::SurfaceMesh{ std::move(places), std::move(mesh.triangles) });
+    map.directions = InOrderOf(map.topology->mesh.boundary, mesh.boundary, map.directions);
+    return result;
   }
   map.topology = crossfield::ShareTopology(std::move(mesh));
   return result;

@@ -49,7 +49,7 @@ void WritePointData(const QuadMesh& mesh, vtkPointData* data)
 
 void InsertPoint(const QuadPoint& point, const crossfield::DomainPlane& plane, vtkPoints* points)
 {
-  points->InsertNextPoint(plane.ToSpace(point.InPlane()).data());
+  points->InsertNextPoint(plane.PlaceToSpace(point.place).data());
 }
 
 /** Adds the array of a mesh from those of its quads and of its lines; `value` is that of cells without it. */
@@ -83,7 +83,7 @@ void WriteQuads(
   points->SetDataTypeToDouble();
   for (const QuadPoint& point : result.mesh.points)
   {
-    points->InsertNextPoint(plane.ToSpace(point.InPlane()).data());
+    points->InsertNextPoint(plane.PlaceToSpace(point.place).data());
   }
   output->SetPoints(points);
   output->Allocate(static_cast<vtkIdType>(result.mesh.quads.size()));
@@ -280,7 +280,7 @@ void WriteSeparatrices(
     lines->InsertNextCell(static_cast<int>(arc.polyline.size()));
     for (const crossfield::SpacePoint& point : arc.polyline)
     {
-      lines->InsertCellPoint(points->InsertNextPoint(plane.ToSpace(point.head<2>()).data()));
+      lines->InsertCellPoint(points->InsertNextPoint(plane.PlaceToSpace(point).data()));
     }
   }
   output->SetPoints(points);

@@ -103,7 +103,7 @@ void Write(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFi
   ColumnWriting::AddNumbers(data, names::IntegerGap, { result.counts.Gap() });
   addFlag(names::IntegerOptimal, result.counts.optimal);
   ColumnWriting::AddIntegers(data, names::Inverted, { quality.inverted });
-  const Eigen::Vector3d where = plane.ToSpace(quality.where);
+  const Eigen::Vector3d where = plane.PlaceToSpace(quality.where);
   ColumnWriting::AddNumbers(data, names::InvertedPlace, { where.x(), where.y(), where.z() });
   addFlag(names::Released, result.smoothing.released);
   SideConversion::WriteReport(result.mesh, data);

@@ -25,6 +25,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -190,6 +191,22 @@ crossfield::SweepEnds ReadSweep(vtkFieldData* data, const std::map<std::string, 
   return sweep;
 }
 
+/** Returns whether each edge of the quads of a mesh has two of them, as on a closed surface. */
+bool IsClosed(vtkUnstructuredGrid* grid)
+{
+  std::map<std::pair<vtkIdType, vtkIdType>, int> quadsAt;
+  CellLoop::ForEachCell(grid,
+    [&quadsAt](vtkIdType, int, const CellLoop::Points& points)
+    {
+      constexpr vtkIdType Corners = 4; // first in all orders
+      for (vtkIdType i = 0; points.Size() >= Corners && i < Corners; ++i)
+      {
+        ++quadsAt[std::minmax(points[i], points[(i + 1) % Corners])];
+      }
+    });
+  return std::all_of(
+    quadsAt.begin(), quadsAt.end(), [](const auto& edge) { return edge.second == 2; });
+}
 }
 
 namespace SolverMeshReading
@@ -284,7 +301,7 @@ SolverMesh Read(vtkUnstructuredGrid* grid)
   {
     throw Error("The mesh has no quads; give the quads of a Quad Mesher.");
   }
-  if (mesh.side.empty())
+  if (mesh.side.empty() && !IsClosed(grid))
   {
     throw Error(
       "The quads have no boundary edges; put Quads To Higher Order with Order 1 directly behind Quad "

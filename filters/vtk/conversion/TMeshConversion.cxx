@@ -50,7 +50,7 @@ public:
     for (const SpacePoint& point : polyline)
     {
       this->Lines->InsertCellPoint(
-        this->Points->InsertNextPoint(this->Plane.ToSpace(point.head<2>()).data()));
+        this->Points->InsertNextPoint(this->Plane.PlaceToSpace(point).data()));
     }
     this->Rows.push_back(row);
   }

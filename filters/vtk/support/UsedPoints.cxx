@@ -31,12 +31,24 @@ UsedPoints::UsedPoints(vtkDataSet* input)
 }
 
 //------------------------------------------------------------------------------
-crossfield::DomainPlane UsedPoints::FindPlane(vtkDataSet* input) const
+Eigen::Matrix3Xd UsedPoints::PlacesOf(vtkDataSet* input) const
 {
   Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(this->Ids.size()));
   for (Eigen::Index i = 0; i < places.cols(); ++i)
   {
     input->GetPoint(this->Ids[i], places.col(i).data());
   }
-  return crossfield::DomainPlane::Find(places);
+  return places;
+}
+
+//------------------------------------------------------------------------------
+crossfield::DomainPlane UsedPoints::FindPlane(vtkDataSet* input) const
+{
+  return crossfield::DomainPlane::Find(this->PlacesOf(input));
+}
+
+//------------------------------------------------------------------------------
+crossfield::DomainPlane UsedPoints::NearestPlane(vtkDataSet* input) const
+{
+  return crossfield::DomainPlane::Nearest(this->PlacesOf(input));
 }

@@ -25,10 +25,14 @@ public:
   /** Returns the index of a used point in GetIds(). */
   int IndexOf(vtkIdType point) const { return this->Indices[point]; }
 
-  /** Returns the plane of the used points. */
+  /** Returns the plane of the used points. Throws crossfield::Error if they are in none. */
   crossfield::DomainPlane FindPlane(vtkDataSet* input) const;
+  /** Returns the plane nearest to the used points. */
+  crossfield::DomainPlane NearestPlane(vtkDataSet* input) const;
 
 private:
+  Eigen::Matrix3Xd PlacesOf(vtkDataSet* input) const;
+
   std::vector<int> Indices; ///< Indices in Ids; −1 for points that are not used.
   std::vector<vtkIdType> Ids;
 };

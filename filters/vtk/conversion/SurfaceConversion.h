@@ -1,0 +1,41 @@
+#ifndef SurfaceConversion_h
+#define SurfaceConversion_h
+
+#include "SurfaceField.h"
+#include "SurfaceQuadWorkflow.h"
+
+#include <vector>
+
+class vtkDataSet;
+class vtkUnstructuredGrid;
+
+/** Conversion of surfaces in space between VTK data and numerics. Every function throws crossfield::Error. */
+namespace SurfaceConversion
+{
+/** Returns whether a data set has surface cells that are in no plane (DomainPlane::IsNear). */
+bool IsSurface(vtkDataSet* input);
+
+/**
+ * Reads the triangles of a surface, whose points are merged as in DomainConversion::ReadDomain. Strips, quadrilaterals
+ * and polygons are divided.
+ */
+crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input);
+
+/** Reads the parts of a surface with singularities at vertices. */
+crossfield::ConedSurfaces Read(vtkDataSet* input, vtkDataSet* singularities);
+
+/** Returns the only part of a surface whose quarter indices add up. */
+const crossfield::ConedSurface& Single(const crossfield::ConedSurfaces& surfaces);
+
+/**
+ * Writes the triangles of a surface with `H` and `SizeMap` (points), `Cross` and `Cross2` (cells) and the field data
+ * `HolonomyDefect`, `Converged` and `UnwantedSingularities` of vtkHField.
+ */
+void WriteField(const crossfield::MeshTopology& topology, const crossfield::SurfaceField& field,
+  vtkUnstructuredGrid* output);
+
+/** Returns points with the array `QuarterIndex`; a null pointer gives none. */
+std::vector<crossfield::SurfaceSingularity> ReadSingularities(vtkDataSet* input);
+}
+
+#endif

@@ -1,0 +1,202 @@
+"""crossfield quads, check and separatrices with surfaces in space: formats, repairs, and broken files."""
+import json
+import math
+import struct
+import unittest
+
+from program import ProgramTest
+
+
+def sphere(n=6):
+    """Returns points and triangles of a cube of n × n squares a face, blown up."""
+    numbers, points, triangles = {}, [], []
+
+    def at(place):
+        if place not in numbers:
+            numbers[place] = len(points)
+            warped = [math.tan(math.pi / 4 * (2 * k / n - 1)) for k in place]
+            norm = math.sqrt(sum(x * x for x in warped))
+            points.append([x / norm for x in warped])
+        return numbers[place]
+
+    for axis in range(3):
+        for end in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    corners = []
+                    for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                        place = [0, 0, 0]
+                        place[axis] = end
+                        place[(axis + 1) % 3] = i + (di if end else dj)
+                        place[(axis + 2) % 3] = j + (dj if end else di)
+                        corners.append(at(tuple(place)))
+                    triangles += [corners[:3], [corners[0], *corners[2:]]]
+    return points, triangles
+
+
+def cube_corners(radius=1.0):
+    at = radius / math.sqrt(3)
+    return [(x, y, z, 1) for x in (-at, at) for y in (-at, at) for z in (-at, at)]
+
+
+def stl(points, triangles):
+    facets = ["facet normal 0 0 0\nouter loop\n%s\nendloop\nendfacet" %
+              "\n".join("vertex %.9g %.9g %.9g" % tuple(points[v]) for v in triangle) for triangle in triangles]
+    return "solid part\n" + "\n".join(facets) + "\nendsolid part\n"
+
+
+def binary_stl(points, triangles):
+    return b"\0" * 80 + struct.pack("<I", len(triangles)) + b"".join(
+        struct.pack("<12fH", 0, 0, 0, *(x for v in triangle for x in points[v]), 0) for triangle in triangles)
+
+
+def obj(points, triangles):
+    return "".join("v %.17g %.17g %.17g\n" % tuple(p) for p in points) + "".join(
+        "f %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles)
+
+
+def off(points, triangles):
+    return "OFF\n%d %d 0\n" % (len(points), len(triangles)) + "".join(
+        "%.17g %.17g %.17g\n" % tuple(p) for p in points) + "".join("3 %d %d %d\n" % tuple(t) for t in triangles)
+
+
+def ply(points, triangles):
+    return ("ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\nproperty double z\n"
+            "element face %d\nproperty list uchar int vertex_indices\nend_header\n" % (len(points), len(triangles))
+            ) + off(points, triangles).split("\n", 2)[2]
+
+
+def vtk(points, triangles):
+    return ("# vtk DataFile Version 3.0\na surface\nASCII\nDATASET POLYDATA\nPOINTS %d double\n" % len(points) + "".join(
+        "%.17g %.17g %.17g\n" % tuple(p) for p in points) + "POLYGONS %d %d\n" % (len(triangles), 4 * len(triangles)) +
+        "".join("3 %d %d %d\n" % tuple(t) for t in triangles))
+
+
+def msh(points, triangles):
+    return ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n%d\n" % len(points) + "".join(
+        "%d %.17g %.17g %.17g\n" % (i + 1, *p) for i, p in enumerate(points)) + "$EndNodes\n$Elements\n%d\n" %
+        len(triangles) + "".join("%d 2 2 0 1 %d %d %d\n" % (i + 1, *(v + 1 for v in t))
+                                 for i, t in enumerate(triangles)) + "$EndElements\n")
+
+
+WRITERS = {"stl": stl, "obj": obj, "off": off, "ply": ply, "vtk": vtk, "msh": msh}
+
+
+class Surfaces(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("eight.csv", cube_corners())
+
+    def write(self, name, rows):
+        (self.folder / name).write_text(
+            "x,y,z,quarter_index\n" + "".join("%.17g,%.17g,%.17g,%d\n" % row for row in rows))
+
+    def quads(self, surface, *arguments, singularities="eight.csv"):
+        output = () if "-o" in arguments else ("-o", "quads.vtu")
+        return json.loads(self.succeed("quads", surface, "-s", singularities, *output, "--json", "-", *arguments))
+
+    def test_formats(self):
+        points, triangles = sphere()
+        for ending, write in WRITERS.items():
+            (self.folder / ("part." + ending)).write_text(write(points, triangles))
+        (self.folder / "binary.stl").write_bytes(binary_stl(points, triangles))
+        for name in [*("part." + ending for ending in WRITERS), "binary.stl"]:
+            with self.subTest(name):
+                report = self.quads(name, "--quads", "600")
+                self.assertEqual((report["quads"], report["blocks"], report["irregular"], report["inverted"]),
+                                 (600, 6, {"3": 8}, 0))
+
+    def test_outputs(self):
+        (self.folder / "part.obj").write_text(obj(*sphere()))
+        self.quads("part.obj", "--quads", "150", "-o", "quads.obj.vtu", "--blocks", "blocks.vtm", "--layout", "l.vtp",
+                   "--save-singularities", "saved.csv")
+        rows = (self.folder / "saved.csv").read_text().split()
+        self.assertEqual(rows[0], "x,y,z,quarter_index")
+        self.assertEqual(len(rows), 9)
+        report = self.quads("part.obj", "--quads", "150", singularities="saved.csv")
+        self.assertEqual(report["irregular"], {"3": 8})
+        lines = json.loads(self.succeed("separatrices", "part.obj", "-s", "eight.csv", "-o", "lines.vtp", "--json", "-"))
+        self.assertGreaterEqual(lines["faces"], 6)
+        check = json.loads(self.succeed("check", "part.obj", "-s", "eight.csv", "--json", "-"))
+        self.assertEqual((check["required_interior_quarters"], check["euler_characteristic"]), (8, 2))
+        self.assertAlmostEqual(check["total_curvature"], 2)
+        self.assertIn("total curvature 2", self.succeed("check", "part.obj", "-s", "eight.csv"))
+
+    def test_files_for_solvers(self):
+        (self.folder / "part.obj").write_text(obj(*sphere()))
+        for name in ("quads.msh", "quads.inp", "quads.vtk", "quads.ex2"):
+            with self.subTest(name):
+                self.quads("part.obj", "--quads", "150", "-o", name)
+                self.assertTrue((self.folder / name).stat().st_size > 1000)
+
+    def test_repairs(self):
+        points, triangles = sphere()
+        turned = [t[::-1] if i % 3 == 0 else t for i, t in enumerate(triangles)]
+        twice = [*triangles, triangles[4], [7, 7, 9]]
+        middle = [(a + b) / 2 for a, b in zip(points[triangles[0][0]], points[triangles[0][1]])]
+        a, b, c = triangles[0]
+        flat = [[a, len(points), c], [len(points), b, c], [a, b, len(points)], *triangles[1:]]
+        beside = [[x + 2, y, z] for x, y, z in points]  # touches the first one
+        both = [*triangles, *([v + len(points) for v in t] for t in triangles)]
+        for name, data, says in (("turned", (points, turned), "turned over"), ("twice", (points, twice), "given twice"),
+                                 ("flat", ([*points, middle], flat), "without an area")):
+            with self.subTest(name):
+                (self.folder / "part.off").write_text(off(*data))
+                report = self.quads("part.off", "--quads", "600")
+                self.assertEqual((report["quads"], report["irregular"]), (600, {"3": 8}))
+                if name != "twice":  # VTK removes these
+                    self.assertTrue(any(says in event for event in report["events"]), report["events"])
+        (self.folder / "part.off").write_text(off([*points, *beside], both))
+        self.write("sixteen.csv", [*cube_corners(), *((x + 2, y, z, k) for x, y, z, k in cube_corners())])
+        report = self.quads("part.off", singularities="sixteen.csv")
+        self.assertEqual((report["parts"], report["irregular"]), (2, {"3": 16}))
+        self.assertIn("1 point was added where parts of the surface meet in a point only.", report["events"])
+
+    def test_refusals(self):
+        points, triangles = sphere(3)
+        write = (self.folder / "part.off").write_text
+        write(off([*points, [3, 0, 0]], [*triangles, [*triangles[0][:2], len(points)]]))
+        refuse = ("quads", "part.off", "-s", "eight.csv", "-o", "q.vtu")
+        self.refuse(*refuse, says=["The edge from (", "has 3 triangles", "at most two"])
+        write(off(points, triangles[1:]))
+        self.refuse(*refuse, says=["add up to 8", "a surface of Euler characteristic 1"], status=1)
+        write(off([[0, 0, 0], [1, 0, 0], [1, 1, 1], [-1, 0, 0], [-1, -1, 0]], [[0, 1, 2], [0, 3, 4]]))
+        self.refuse(*refuse, says=["touches itself in the point (0, 0, 0)"])
+        write(off(points, triangles))
+        self.write("seven.csv", cube_corners()[1:])
+        for singularities, says in ((("-s", "seven.csv"), "add up to 7"), ((), "add up to 0")):
+            self.refuse("quads", "part.off", *singularities, "-o", "q.vtu", says=[says, "needs 8"], status=1)
+        self.write("off.csv", cube_corners(3))
+        self.refuse("quads", "part.off", "-s", "off.csv", "-o", "q.vtu", says=["Singularity 1", "off the surface"])
+        self.refuse(*refuse, "--layers", "outer0:0.1", says=["Boundary layers", "leave this out"])
+        self.refuse(*refuse, "--sizing", "uniform", says=["Sizes other than", "leave this out"])
+        self.refuse("solve", "part.off", "-s", "eight.csv", "-o", "q.vtu", says=["not planar"])
+        check = self.run_program("check", "part.off", "-s", "seven.csv")
+        self.assertEqual(check.returncode, 1)
+        self.assertIn("add up to 7", check.stderr)
+
+    def test_broken_files(self):
+        """Thirty files of which nothing can be made: one sentence each."""
+        points, triangles = sphere(2)
+        count = 0
+        for ending, write in WRITERS.items():
+            text = write(points, triangles)
+            lines = text.splitlines(keepends=True)
+            numbers = [i for i, line in enumerate(lines) if sum("." in word for word in line.split()) == 3]
+            broken = {
+                "empty": "", "header": lines[0], "no coordinates": "".join(line for i, line in enumerate(lines)
+                                                                         if i not in numbers),
+                "word": "".join(lines).replace(lines[numbers[3]], lines[numbers[3]].replace("0.", "a."), 1),
+                "infinite": "".join(lines).replace(lines[numbers[3]], "v inf inf inf\n" if ending == "obj" else
+                                                   "vertex inf inf inf\n" if ending == "stl" else
+                                                   "4 inf inf inf\n" if ending == "msh" else "inf inf inf\n", 1)}
+            for what, content in broken.items():
+                with self.subTest(ending=ending, what=what):
+                    (self.folder / ("part." + ending)).write_text(content)
+                    self.refuse("quads", "part." + ending, "-s", "eight.csv", "-o", "q.vtu")
+                    count += 1
+        self.assertEqual(count, 30)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,229 @@
+// Surfaces in space in vtkQuadMesher, vtkCrossFieldMap, vtkSeparatrices and vtkPoincareHopfCheck.
+
+#include "support/FilterChecks.h"
+#include "vtkBoundarySimplifier.h"
+#include "vtkCrossFieldErrorCodes.h"
+#include "vtkCrossFieldMap.h"
+#include "vtkPoincareHopfCheck.h"
+#include "vtkQuadMesher.h"
+#include "vtkSeparatrices.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkStripper.h"
+#include "vtkTable.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace
+{
+using FilterChecks::CaptureError;
+using FilterChecks::CheckInputUntouched;
+using FilterChecks::CheckProgressAndAbort;
+using FilterChecks::CheckRunTwice;
+using FilterChecks::UpdateWithoutError;
+
+/** Returns the unit sphere as a cube of 6 · 8² quadrilaterals, blown up. */
+vtkSmartPointer<vtkPolyData> BlownUpCube()
+{
+  constexpr int N = 8;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int end : { 0, 1 })
+    {
+      for (int i = 0; i < N * N; ++i)
+      {
+        const auto corner = [&](int di, int dj)
+        {
+          double place[3];
+          const auto angle = [](int k)
+          { return std::tan(0.25 * 3.14159265358979 * (2.0 * k / N - 1.0)); };
+          place[axis] = 2.0 * end - 1.0;
+          place[(axis + 1) % 3] = angle(i % N + (end == 1 ? di : dj));
+          place[(axis + 2) % 3] = angle(i / N + (end == 1 ? dj : di));
+          const double norm = std::hypot(place[0], place[1], place[2]);
+          return points->InsertNextPoint(place[0] / norm, place[1] / norm, place[2] / norm);
+        };
+        cells->InsertNextCell({ corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1) });
+      }
+    }
+  }
+  auto sphere = vtkSmartPointer<vtkPolyData>::New();
+  sphere->SetPoints(points);
+  sphere->SetPolys(cells);
+  return sphere;
+}
+
+/** Returns singularities of index 1 at the first corners of a cube. */
+vtkSmartPointer<vtkPolyData> CubeCorners(int count = 8)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIntArray> quarters;
+  quarters->SetName("QuarterIndex");
+  for (int i = 0; i < count; ++i)
+  {
+    const double at = std::sqrt(1.0 / 3.0);
+    points->InsertNextPoint(
+      i % 2 == 0 ? -at : at, i / 2 % 2 == 0 ? -at : at, i / 4 == 0 ? -at : at);
+    quarters->InsertNextValue(1);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(quarters);
+  return data;
+}
+
+TEST(QuadMesherSurfaces, HaveTheGivenIrregularNodes)
+{
+  const auto sphere = BlownUpCube();
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(sphere);
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(sphere);
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(600);
+  mesher->Update();
+  ASSERT_EQ(mesher->GetErrorCode(), 0U);
+  vtkUnstructuredGrid* quads = mesher->GetOutput();
+  EXPECT_EQ(quads->GetNumberOfCells(), 600);
+  for (vtkIdType p = 0; p < quads->GetNumberOfPoints(); ++p)
+  {
+    const double* place = quads->GetPoint(p);
+    EXPECT_NEAR(std::hypot(place[0], place[1], place[2]), 1.0, 0.03);
+  }
+  auto* nodes = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(6));
+  auto* used = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(3));
+  ASSERT_EQ(nodes->GetNumberOfPoints(), 8);
+  ASSERT_EQ(used->GetNumberOfPoints(), 8);
+  EXPECT_EQ(used->GetPointData()->GetArray("QuarterIndex")->GetTuple1(7), 1.0);
+  EXPECT_NEAR(std::abs(nodes->GetPoint(0)[2]), std::sqrt(1.0 / 3.0), 1e-7);
+  EXPECT_EQ(
+    vtkMultiBlockDataSet::SafeDownCast(mesher->GetOutputDataObject(1))->GetNumberOfBlocks(), 6U);
+  EXPECT_EQ(mesher->GetOutputDataObject(5)->GetNumberOfElements(vtkDataObject::CELL), 0);
+  vtkFieldData* report = mesher->GetOutputDataObject(8)->GetFieldData();
+  EXPECT_EQ(report->GetArray("Inverted")->GetTuple1(0), 0.0);
+  EXPECT_GT(report->GetArray("ScaledJacobianRange")->GetTuple(0)[0], 0.8);
+  EXPECT_EQ(sphere->GetNumberOfPoints(), before->GetNumberOfPoints());
+  EXPECT_EQ(sphere->GetPoint(5)[2], before->GetPoint(5)[2]);
+
+  // Another surface afterwards: a plane.
+  vtkNew<vtkPoints> corners;
+  for (int i = 0; i < 4; ++i)
+  {
+    corners->InsertNextPoint(i % 2, i / 2, 0.0);
+  }
+  vtkNew<vtkCellArray> cell;
+  cell->InsertNextCell({ 0, 1, 3, 2 });
+  vtkNew<vtkPolyData> square;
+  square->SetPoints(corners);
+  square->SetPolys(cell);
+  mesher->SetInputData(square);
+  mesher->SetSingularitiesData(nullptr);
+  mesher->SetQuadCount(100);
+  mesher->Update();
+  EXPECT_EQ(mesher->GetErrorCode(), 0U);
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 100);
+}
+
+TEST(QuadMesherSurfaces, MayBeStrips)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(BlownUpCube());
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkBoundarySimplifier> simplifier; // leaves surfaces as they are
+  simplifier->SetInputConnection(stripper->GetOutputPort());
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputConnection(simplifier->GetOutputPort());
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(600);
+  mesher->Update();
+  EXPECT_EQ(mesher->GetErrorCode(), 0U);
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 600);
+}
+
+TEST(QuadMesherSurfaces, HaveNoPlanarOptions)
+{
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(BlownUpCube());
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetLayers("outer0:0.01");
+  CaptureError(mesher, { "Boundary layers cannot be had for a surface", "leave this out" });
+  mesher->SetLayers("");
+  mesher->SetMerge(vtkQuadMesher::MergeCoarse);
+  CaptureError(mesher, { "Merging blocks cannot be had" });
+  mesher->SetMerge(vtkQuadMesher::MergeNone);
+  mesher->SetSingularitiesData(CubeCorners(7));
+  EXPECT_EQ(CaptureError(mesher, { "add up to 7", "needs 8" }),
+    static_cast<unsigned long>(vtkCrossFieldErrorCodes::Inconsistent));
+}
+
+TEST(QuadMesherSurfaces, KeepTheConventionsOfFilters)
+{
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(BlownUpCube());
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(150);
+  UpdateWithoutError(mesher);
+  CheckInputUntouched(mesher);
+  CheckProgressAndAbort(mesher);
+  CheckRunTwice(
+    mesher, [&] { mesher->SetQuadCount(150); }, [&] { mesher->SetQuadCount(600); });
+}
+
+TEST(QuadMesherSurfaces, HaveMapAndSeparatrices)
+{
+  vtkNew<vtkCrossFieldMap> map;
+  map->SetInputData(BlownUpCube());
+  map->SetSingularitiesData(CubeCorners());
+  vtkNew<vtkSeparatrices> separatrices;
+  separatrices->SetInputConnection(map->GetOutputPort());
+  separatrices->Update();
+  ASSERT_EQ(map->GetErrorCode(), 0U);
+  ASSERT_EQ(separatrices->GetErrorCode(), 0U);
+  vtkPolyData* lines = separatrices->GetOutput();
+  vtkFieldData* counts = lines->GetFieldData();
+  EXPECT_EQ(counts->GetArray("Faces")->GetTuple1(0), 6.0);
+  EXPECT_EQ(counts->GetArray("Arcs")->GetTuple1(0), 12.0);
+  for (vtkIdType p = 0; p < lines->GetNumberOfPoints(); ++p)
+  {
+    const double* place = lines->GetPoint(p);
+    EXPECT_NEAR(std::hypot(place[0], place[1], place[2]), 1.0, 0.03);
+  }
+}
+
+TEST(QuadMesherSurfaces, AreChecked)
+{
+  vtkNew<vtkPoincareHopfCheck> check;
+  check->SetInputData(BlownUpCube());
+  check->SetSingularitiesData(CubeCorners());
+  check->Update();
+  vtkFieldData* data = check->GetOutput()->GetFieldData();
+  EXPECT_EQ(data->GetArray("Consistent")->GetTuple1(0), 1.0);
+  EXPECT_EQ(data->GetArray("RequiredInteriorQuarters")->GetTuple1(0), 8.0);
+  EXPECT_EQ(data->GetArray("EulerCharacteristic")->GetTuple1(0), 2.0);
+  EXPECT_NEAR(data->GetArray("TotalCurvature")->GetTuple1(0), 2.0, 1e-10);
+  check->SetSingularitiesData(CubeCorners(3));
+  check->Update();
+  data = check->GetOutput()->GetFieldData();
+  EXPECT_EQ(data->GetArray("Consistent")->GetTuple1(0), 0.0);
+  EXPECT_EQ(data->GetArray("GivenInteriorQuarters")->GetTuple1(0), 3.0);
+}
+}
