@@ -107,17 +107,19 @@ private:
       else
       {
         const HalfEdge& other = all[i + 1];
-        const std::string where =
-          "The edge from " + this->PlaceOf(one.ends[0]) + " to " + this->PlaceOf(one.ends[1]);
+        const auto where = [&] {
+          return "The edge from " + this->PlaceOf(one.ends[0]) + " to " +
+            this->PlaceOf(one.ends[1]);
+        };
         if (end - i > 2)
         {
           throw Error(
-            where + " has " + std::to_string(end - i) + " triangles; leave at most two of them.");
+            where() + " has " + std::to_string(end - i) + " triangles; leave at most two of them.");
         }
         if (from == triangles[other.triangle][other.side])
         {
           throw Error(
-            where + " has triangles of opposite orientation; orient the surface consistently.");
+            where() + " has triangles of opposite orientation; orient the surface consistently.");
         }
         parts.Join(one.triangle, other.triangle);
         corners.Join(3 * one.triangle + one.side, 3 * other.triangle + (other.side + 1) % 3);

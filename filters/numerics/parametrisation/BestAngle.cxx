@@ -1,6 +1,6 @@
 #include "BestAngle.h"
 
-#include "VertexWays.h"
+#include "ConeWays.h"
 
 #include <Eigen/Geometry>
 
@@ -81,12 +81,12 @@ struct Vote
 };
 
 /// Returns the directions of ways, those that only rounding distinguishes as one.
-std::vector<Vote> CollectVotes(const std::vector<ConeWay>& ways)
+std::vector<Vote> CollectVotes(const std::vector<Point>& ways)
 {
   std::vector<Vote> votes;
-  for (const auto& [vector, share] : ways)
+  for (const Point& way : ways)
   {
-    votes.push_back({ WrapQuarter(std::atan2(vector.y(), vector.x())), share / vector.norm() });
+    votes.push_back({ WrapQuarter(std::atan2(way.y(), way.x())), 1.0 / way.norm() });
   }
   std::sort(
     votes.begin(), votes.end(), [](const Vote& a, const Vote& b) { return a.angle < b.angle; });

@@ -1,10 +1,10 @@
 #include "BestAngle.h"
+#include "ConeWays.h"
 #include "Support.h"
 #include "SurfaceMap.h"
 #include "SurfaceTopology.h"
 #include "Surfaces.h"
 #include "TMeshPatches.h"
-#include "VertexWays.h"
 
 #include <Eigen/Geometry>
 
@@ -78,23 +78,38 @@ TEST(BestAngle, FollowsTheMap)
   }
 }
 
-TEST(VertexWays, OfTheSphereAreTheEdgesAndDiagonalsOfACube)
+TEST(ConeWays, OfTheSphereAreTheEdgesAndDiagonalsOfACube)
 {
   const SeamlessMap map =
     SolveSurfaceMap(std::make_shared<const SurfaceTopology>(CubedSphere(8)), ConesOfCube());
   const double edge = std::sqrt(map.topology->Area() / 6.0);
-  double edges = 0.0;
-  double diagonals = 0.0;
-  for (const auto& [vector, share] : WaysBetweenCones(map))
+  int edges = 0;
+  int diagonals = 0;
+  for (const Point& way : WaysBetweenCones(map))
   {
-    const bool isEdge = std::abs(vector.norm() - edge) < 1e-9;
-    const bool isDiagonal = std::abs(vector.norm() - std::sqrt(2.0) * edge) < 1e-9;
-    EXPECT_TRUE(isEdge || isDiagonal) << vector.norm() / edge;
-    edges += isEdge ? share : 0.0;
-    diagonals += isDiagonal ? share : 0.0;
+    const bool isEdge = std::abs(way.norm() - edge) < 1e-9;
+    const bool isDiagonal = std::abs(way.norm() - std::sqrt(2.0) * edge) < 1e-9;
+    EXPECT_TRUE(isEdge || isDiagonal) << way.norm() / edge;
+    edges += isEdge ? 1 : 0;
+    diagonals += isDiagonal ? 1 : 0;
   }
-  EXPECT_EQ(edges, 24.0); // from both ends
-  EXPECT_EQ(diagonals, 24.0);
+  EXPECT_EQ(edges, 12);
+  EXPECT_LE(diagonals, 12); // cells of opposite corners of a face touch in a point
+}
+
+TEST(ConeWays, OfTheTorusGoAroundBothCircles)
+{
+  constexpr double R = 2.5;
+  const SeamlessMap map =
+    SolveSurfaceMap(std::make_shared<const SurfaceTopology>(Torus(R, 60, 24)), {});
+  std::vector<double> lengths;
+  for (const Point& way : WaysBetweenCones(map))
+  {
+    lengths.push_back(way.norm());
+  }
+  std::sort(lengths.begin(), lengths.end());
+  ASSERT_GE(lengths.size(), 2u);
+  EXPECT_NEAR(lengths[1] / lengths[0], std::sqrt(R * R - 1.0), 0.02);
 }
 }
 }
