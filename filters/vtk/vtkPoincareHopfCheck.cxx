@@ -157,9 +157,37 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   ColumnWriting::AddText(data, names::Reason, findings.reason);
 }
 
+/** Writes the corners of the boundary of a surface that have a quarter index. */
+void WriteCornersInSpace(const crossfield::ConedSurfaces& surfaces, vtkPolyData* output)
+{
+  std::vector<crossfield::CountedCorner> corners;
+  std::vector<crossfield::SpacePoint> places;
+  for (const crossfield::ConedSurface& part : surfaces.parts)
+  {
+    for (int i = 0; i < static_cast<int>(part.topology->turning.size()); ++i)
+    {
+      const int vertex = part.topology->BoundaryAt(i).vertices[0];
+      const auto cone = std::find_if(part.cones.begin(), part.cones.end(),
+        [vertex](const crossfield::Cone& one) { return one.onBoundary && one.vertex == vertex; });
+      if (cone != part.cones.end())
+      {
+        corners.emplace_back();
+        corners.back().angle = crossfield::Pi - part.topology->turning[i];
+        corners.back().quarterIndex = cone->quarterIndex;
+        places.push_back(part.topology->PositionOf(vertex));
+      }
+    }
+  }
+  CornerConversion::WriteCountedCorners(corners, crossfield::DomainPlane(), output);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    output->GetPoints()->SetPoint(static_cast<vtkIdType>(i), places[i].data());
+  }
+}
+
 /** Checks singularities of a surface in space, and writes what is known of it. */
-crossfield::SurfaceCheck CheckSurface(
-  vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* corners, vtkDataSet* output)
+crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, vtkDataSet* singularities,
+  vtkDataSet* corners, vtkDataSet* output, vtkPolyData* cornerOutput)
 {
   if (corners != nullptr)
   {
@@ -181,6 +209,7 @@ crossfield::SurfaceCheck CheckSurface(
     curvature += part.topology->charts->curvature.sum();
     turning += part.topology->turning.sum();
   }
+  WriteCornersInSpace(surfaces, cornerOutput);
   output->ShallowCopy(input);
   vtkFieldData* data = output->GetFieldData();
   AddIntegers(data, names::EulerCharacteristic, { characteristic });
@@ -265,8 +294,8 @@ int vtkPoincareHopfCheck::RequestData(
     vtkUnstructuredGrid* field = AsField(domain);
     if (field == nullptr && SurfaceConversion::IsSurface(domain))
     {
-      const crossfield::SurfaceCheck result =
-        CheckSurface(domain, singularities, corners, vtkDataSet::GetData(outputVector, 0));
+      const crossfield::SurfaceCheck result = CheckSurface(domain, singularities, corners,
+        vtkDataSet::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 2));
       WriteSummary(result.consistent ? "Consistent" : "Inconsistent", result.reason,
         !result.consistent, summary);
       return;

@@ -42,7 +42,7 @@
  * For a surface in space the singularities inside and the corners of its boundary must add up to 4χ in each
  * part. There is no `Valence`; `TotalCurvature` and `TangentTurning` (double) are the integrals of the curvature and of the
  * turning of the boundary, corners included, over 2π, and add up to χ; `HolonomyDefect` is that of inner loops
- * and handles (two each). Output ports 1 and 2 are empty.
+ * and handles (two each). Output port 1 is empty.
  *
  * Output port 1 (vtkTable, empty with several materials): one row per boundary loop, the outer one first: `BoundaryLoop` (int),
  * `Valence`, `TangentTurning` (double), `CornerQuarters` (int, Σ k_i), `RequiredPart` (int, the

@@ -65,8 +65,9 @@ void Print(vtkPoincareHopfCheck* check)
   {
     for (vtkIdType i = 0; i < defects->GetNumberOfTuples(); ++i)
     {
-      std::cout << "holonomy defect at inner loop " << i + 1 << ": " << defects->GetTuple1(i)
-                << "\n";
+      std::cout << "holonomy defect at "
+                << (part == names::Valence ? "inner loop " : "loop or handle ") << i + 1 << ": "
+                << defects->GetTuple1(i) << "\n";
     }
   }
 }

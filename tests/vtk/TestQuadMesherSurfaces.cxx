@@ -4,6 +4,7 @@
 #include "vtkBoundarySimplifier.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldMap.h"
+#include "vtkHField.h"
 #include "vtkPoincareHopfCheck.h"
 #include "vtkQuadMesher.h"
 #include "vtkSeparatrices.h"
@@ -209,6 +210,45 @@ TEST(QuadMesherSurfaces, HaveMapAndSeparatrices)
   }
 }
 
+TEST(QuadMesherSurfaces, HaveAnHField)
+{
+  vtkNew<vtkHField> field;
+  field->SetInputData(BlownUpCube());
+  field->SetSingularitiesData(CubeCorners());
+  UpdateWithoutError(field);
+  CheckInputUntouched(field);
+  vtkUnstructuredGrid* output = field->GetOutput();
+  vtkDataArray* h = output->GetPointData()->GetArray("H");
+  vtkDataArray* cross = output->GetCellData()->GetArray("Cross");
+  vtkDataArray* second = output->GetCellData()->GetArray("Cross2");
+  ASSERT_EQ(h->GetNumberOfTuples(), output->GetNumberOfPoints());
+  // Largest at the middles of the faces, where no singularity is near.
+  for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+  {
+    const double* place = output->GetPoint(p);
+    if (std::abs(place[0]) > 0.99)
+    {
+      EXPECT_NEAR(h->GetTuple1(p), h->GetRange()[1], 0.02);
+    }
+  }
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    const double* one = cross->GetTuple3(cell);
+    const double length = std::hypot(one[0], one[1], one[2]);
+    EXPECT_NEAR(length, 1.0, 1e-6);
+    const double along[] = { one[0], one[1], one[2] };
+    const double* other = second->GetTuple3(cell);
+    EXPECT_NEAR(along[0] * other[0] + along[1] * other[1] + along[2] * other[2], 0.0, 1e-6);
+    // Near the middle of a face they are along the axes.
+    const double* corner = output->GetPoint(output->GetCell(cell)->GetPointId(0));
+    if (corner[2] > 0.99)
+    {
+      EXPECT_NEAR(std::max(std::abs(along[0]), std::abs(along[1])), 1.0, 0.02);
+    }
+  }
+  EXPECT_FALSE(output->GetFieldData()->HasArray("Energy"));
+}
+
 TEST(QuadMesherSurfaces, AreChecked)
 {
   vtkNew<vtkPoincareHopfCheck> check;
@@ -220,6 +260,7 @@ TEST(QuadMesherSurfaces, AreChecked)
   EXPECT_EQ(data->GetArray("RequiredInteriorQuarters")->GetTuple1(0), 8.0);
   EXPECT_EQ(data->GetArray("EulerCharacteristic")->GetTuple1(0), 2.0);
   EXPECT_NEAR(data->GetArray("TotalCurvature")->GetTuple1(0), 2.0, 1e-10);
+  EXPECT_EQ(check->GetOutputDataObject(2)->GetNumberOfElements(vtkDataObject::POINT), 0);
   check->SetSingularitiesData(CubeCorners(3));
   check->Update();
   data = check->GetOutput()->GetFieldData();
