@@ -18,7 +18,7 @@ struct SurfaceField
   std::vector<double> holonomyDefect; ///< Of inner loops and handles, radians.
 };
 
-/// Solves for the field of cones. On a closed surface crosses have the angle of the map (§22.4). Throws Error as
+/// Solves for the field of cones. On a closed surface crosses have the angle of the map (docs/method.md §22.4). Throws Error as
 /// VertexPotential does.
 SurfaceField SolveSurfaceField(
   const SharedTopology& topology, const std::vector<Cone>& cones, const Progress& progress = {});

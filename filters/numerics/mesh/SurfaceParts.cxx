@@ -193,10 +193,9 @@ class PartSearch
 public:
   explicit PartSearch(SurfaceMesh& surface)
     : Surface(surface)
-    , Beyond(surface.triangles.size(), { -1, -1, -1 })
+    , Beyond(FindNeighbours(surface))
     , Part(surface.triangles.size(), -1)
   {
-    this->FindNeighbours();
   }
 
   SurfaceParts Run()
@@ -219,40 +218,6 @@ public:
 
 private:
   std::string PlaceOf(int vertex) const { return DescribeInSpace(this->Surface.points[vertex]); }
-
-  void FindNeighbours()
-  {
-    const std::vector<Triangle>& triangles = this->Surface.triangles;
-    std::vector<Side> sides;
-    for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        sides.push_back({ EndsOf(triangles[t], static_cast<std::size_t>(i)), t, i });
-      }
-    }
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 0; i < sides.size();)
-    {
-      std::size_t end = i + 1;
-      while (end < sides.size() && sides[end].ends == sides[i].ends)
-      {
-        ++end;
-      }
-      if (end - i > 2)
-      {
-        throw Error("The edge from " + this->PlaceOf(sides[i].ends[0]) + " to " +
-          this->PlaceOf(sides[i].ends[1]) + " has " + std::to_string(end - i) +
-          " triangles; leave at most two of them.");
-      }
-      if (end - i == 2)
-      {
-        this->Beyond[sides[i].triangle][sides[i].side] = sides[i + 1].triangle;
-        this->Beyond[sides[i + 1].triangle][sides[i + 1].side] = sides[i].triangle;
-      }
-      i = end;
-    }
-  }
 
   /// Returns whether two neighbours pass their common side in opposite directions.
   bool Agree(int one, int side, int other) const
@@ -433,6 +398,41 @@ private:
   std::vector<int> Part; ///< Per triangle.
   int Parts = 0;
 };
+}
+
+std::vector<std::array<int, 3>> FindNeighbours(const SurfaceMesh& surface)
+{
+  std::vector<Side> sides;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      sides.push_back({ EndsOf(surface.triangles[t], static_cast<std::size_t>(i)), t, i });
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<std::array<int, 3>> beyond(surface.triangles.size(), { -1, -1, -1 });
+  for (std::size_t i = 0; i < sides.size();)
+  {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].ends == sides[i].ends)
+    {
+      ++end;
+    }
+    if (end - i > 2)
+    {
+      throw Error("The edge from " + DescribeInSpace(surface.points[sides[i].ends[0]]) + " to " +
+        DescribeInSpace(surface.points[sides[i].ends[1]]) + " has " + std::to_string(end - i) +
+        " triangles; leave at most two of them.");
+    }
+    if (end - i == 2)
+    {
+      beyond[sides[i].triangle][sides[i].side] = sides[i + 1].triangle;
+      beyond[sides[i + 1].triangle][sides[i + 1].side] = sides[i].triangle;
+    }
+    i = end;
+  }
+  return beyond;
 }
 
 bool IsFlat(const SurfaceMesh& surface, const Triangle& triangle)

@@ -7,27 +7,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Side of a triangle, with its ends in increasing order.
-struct HalfEdge
-{
-  std::array<int, 2> ends;
-  int triangle;
-  int side;
-
-  bool operator<(const HalfEdge& other) const
-  {
-    return std::tie(this->ends, this->triangle, this->side) <
-      std::tie(other.ends, other.triangle, other.side);
-  }
-};
-
 /// Marks the boundary edges of a surface, and refuses what is not a manifold.
 class BoundarySearch
 {
@@ -37,7 +22,7 @@ public:
     , Next(surface.points.size(), -1)
   {
     this->RequireAreas();
-    this->VisitEdges();
+    this->VisitSides();
   }
 
   TriangleMesh MakeMesh() const
@@ -74,58 +59,37 @@ private:
     }
   }
 
-  /// Finds the next vertex of those on the boundary. Refuses edges with more than two triangles or
-  /// opposite ones, and joins the others' triangles and corners.
-  void VisitEdges()
+  /// Finds the next vertex of those on the boundary. Refuses neighbours of opposite orientation, and joins the
+  /// others and their corners.
+  void VisitSides()
   {
     const auto& triangles = this->Surface.triangles;
-    std::vector<HalfEdge> all;
+    const std::vector<std::array<int, 3>> neighbours = FindNeighbours(this->Surface);
+    UnionFind parts(triangles.size());
+    UnionFind corners(3 * triangles.size()); // 3 t + i
     for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
     {
       for (int i = 0; i < 3; ++i)
       {
-        const auto [least, largest] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-        all.push_back({ { least, largest }, t, i });
-      }
-    }
-    std::sort(all.begin(), all.end());
-    UnionFind parts(triangles.size());
-    UnionFind corners(all.size()); // 3 t + i
-    for (std::size_t i = 0; i < all.size();)
-    {
-      const HalfEdge& one = all[i];
-      std::size_t end = i + 1;
-      while (end < all.size() && all[end].ends == one.ends)
-      {
-        ++end;
-      }
-      const int from = triangles[one.triangle][one.side];
-      if (end - i == 1)
-      {
-        this->Next[from] = triangles[one.triangle][(one.side + 1) % 3];
-      }
-      else
-      {
-        const HalfEdge& other = all[i + 1];
-        const auto where = [&] {
-          return "The edge from " + this->PlaceOf(one.ends[0]) + " to " +
-            this->PlaceOf(one.ends[1]);
-        };
-        if (end - i > 2)
+        const int from = triangles[t][i];
+        const int to = triangles[t][(i + 1) % 3];
+        const int other = neighbours[t][i];
+        if (other < 0)
         {
-          throw Error(
-            where() + " has " + std::to_string(end - i) + " triangles; leave at most two of them.");
+          this->Next[from] = to;
+          continue;
         }
-        if (from == triangles[other.triangle][other.side])
+        const auto& v = triangles[other];
+        const auto back = static_cast<int>(std::find(v.begin(), v.end(), to) - v.begin());
+        if (v[(back + 1) % 3] != from)
         {
-          throw Error(
-            where() + " has triangles of opposite orientation; orient the surface consistently.");
+          throw Error("The edge from " + this->PlaceOf(from) + " to " + this->PlaceOf(to) +
+            " has triangles of opposite orientation; orient the surface consistently.");
         }
-        parts.Join(one.triangle, other.triangle);
-        corners.Join(3 * one.triangle + one.side, 3 * other.triangle + (other.side + 1) % 3);
-        corners.Join(3 * one.triangle + (one.side + 1) % 3, 3 * other.triangle + other.side);
+        parts.Join(t, other);
+        corners.Join(3 * t + i, 3 * other + (back + 1) % 3);
+        corners.Join(3 * t + (i + 1) % 3, 3 * other + back);
       }
-      i = end;
     }
     this->RequireFans(corners);
     this->RequireOnePart(parts);

@@ -42,21 +42,12 @@ public:
       return std::nullopt;
     }
     const ArcVector start = this->Unfolded.StartOf(begin.half);
-    PatchPoint here = begin;
-    for (const PointLink& link : links)
-    {
-      const LinkEnds ends = this->EndsOf(link);
-      if (!this->Unfolded.Turn(here, ends.from))
-      {
-        return std::nullopt;
-      }
-      here = ends.to;
-    }
-    if (!this->TurnToBoundary(links.back().to, here, across))
+    std::optional<PatchPoint> here = this->Follow(links, begin);
+    if (!here || !this->TurnToBoundary(links.back().to, *here, across))
     {
       return std::nullopt;
     }
-    ArcVector displacement = this->Unfolded.StartOf(here.half);
+    ArcVector displacement = this->Unfolded.StartOf(here->half);
     displacement.Subtract(start);
     return displacement;
   }
@@ -67,17 +58,8 @@ public:
     const PatchPoint begin = this->EndsOf(links.front()).from;
     this->Unfolded.Begin(begin);
     const ArcVector start = this->Unfolded.StartOf(begin.half);
-    PatchPoint here = begin;
-    for (const PointLink& link : links)
-    {
-      const LinkEnds ends = this->EndsOf(link);
-      if (!this->Unfolded.Turn(here, ends.from))
-      {
-        return std::nullopt;
-      }
-      here = ends.to;
-    }
-    if (!this->Unfolded.Turn(here, begin))
+    const std::optional<PatchPoint> here = this->Follow(links, begin);
+    if (!here || !this->Unfolded.Turn(*here, begin))
     {
       return std::nullopt;
     }
@@ -87,6 +69,22 @@ public:
   }
 
 private:
+  /// Follows links from a position in the present patch. Returns where they end, nothing if they cannot be
+  /// unfolded.
+  std::optional<PatchPoint> Follow(const std::vector<PointLink>& links, PatchPoint here)
+  {
+    for (const PointLink& link : links)
+    {
+      const LinkEnds ends = this->EndsOf(link);
+      if (!this->Unfolded.Turn(here, ends.from))
+      {
+        return std::nullopt;
+      }
+      here = ends.to;
+    }
+    return here;
+  }
+
   bool IsDistinct(int point) const
   {
     return point < static_cast<int>(this->Mesh.nodes.size()) &&

@@ -67,7 +67,8 @@ std::vector<PlacedPart> PlaceSingularities(
     if (!(point.distance <= LongestSide(part.surface, point.triangle)))
     {
       throw Error(what + " is " + FormatNumber(point.distance) +
-        " off the surface; its nearest point is " + DescribeInSpace(point.place) + ".");
+        " off the surface; move it to the nearest point of it, " + DescribeInSpace(point.place) +
+        ".");
     }
     if (one.quarterIndex == 0)
     {

@@ -81,7 +81,7 @@ TEST(SurfaceQuadWorkflow, RefusesSingularitiesOffTheSurface)
   SurfaceRequest request;
   request.singularities = CornersOfCube(1.5, SpacePoint::Zero());
   EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(CubedSphere(8), request); },
-    { "Singularity 1 at (", "off the surface; its nearest point is (" }));
+    { "Singularity 1 at (", "off the surface; move it to the nearest point of it, (" }));
 }
 
 TEST(SurfaceQuadWorkflow, ChecksWithoutQuads)
