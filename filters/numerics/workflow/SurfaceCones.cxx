@@ -91,13 +91,16 @@ std::vector<PlacedPart> PlaceSingularities(
   return parts;
 }
 
-/// Adds the corners of the boundary, with the quarter indices nearest to their angles.
+/// Adds the corners of the boundary, with the quarter indices nearest to their angles, at most 1: maps have no corner
+/// without an angle.
 void AddCorners(const MeshTopology& topology, std::vector<Cone>& cones)
 {
+  constexpr int Most = 1;
   for (int i = 0; i < static_cast<int>(topology.mesh.boundary.size()); ++i)
   {
     const int vertex = topology.BoundaryAt(i).vertices[0];
-    const auto quarters = static_cast<int>(std::lround(topology.turning[i] / (0.5 * Pi)));
+    const auto nearest = static_cast<int>(std::lround(topology.turning[i] / (0.5 * Pi)));
+    const int quarters = std::min(Most, nearest);
     if (topology.corners[vertex] && quarters != 0)
     {
       cones.push_back({ vertex, quarters, true, -1 });

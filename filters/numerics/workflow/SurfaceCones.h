@@ -40,7 +40,7 @@ struct ConedSurfaces
 };
 
 /// Finds the parts of a surface and places each singularity on a vertex of the nearest one; corners of the boundary have the
-/// quarter index nearest to their angle (docs/method.md §22.6). Throws Error as FindSurfaceParts does, and if a
+/// quarter index nearest to their angle, at most 1 (docs/method.md §22.6). Throws Error as FindSurfaceParts does, and if a
 /// singularity is farther from the surface than its triangle there is long or has no vertex of its own.
 ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities);
 

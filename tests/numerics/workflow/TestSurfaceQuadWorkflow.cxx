@@ -84,6 +84,31 @@ TEST(SurfaceQuadWorkflow, RefusesSingularitiesOffTheSurface)
     { "Singularity 1 at (", "off the surface; move it to the nearest point of it, (" }));
 }
 
+TEST(SurfaceQuadWorkflow, GivesSharpCornersIndexOne)
+{
+  // A bent strip of rhombi with corners of 30 and 150 degrees: two corners have index 1, so 2 is missing.
+  SurfaceMesh rhombus;
+  constexpr int N = 8;
+  for (int i = 0; i <= N; ++i)
+  {
+    for (int j = 0; j <= N; ++j)
+    {
+      const double x = (i + std::cos(Pi / 6.0) * j) / N;
+      rhombus.points.emplace_back(std::sin(x), 0.5 * j / N, std::cos(x));
+      if (i < N && j < N)
+      {
+        const int a = i * (N + 1) + j;
+        rhombus.triangles.push_back({ a, a + N + 1, a + 1 });
+        rhombus.triangles.push_back({ a + 1, a + N + 1, a + N + 2 });
+      }
+    }
+  }
+  const ConedSurfaces found = PlaceCones(rhombus, {});
+  ASSERT_EQ(found.parts.size(), 1u);
+  EXPECT_EQ(found.parts[0].cones.size(), 2u);
+  EXPECT_EQ(found.parts[0].RequiredQuarters(), 2);
+}
+
 TEST(SurfaceQuadWorkflow, ChecksWithoutQuads)
 {
   const auto check = [](const SurfaceMesh& surface, int singularities)
