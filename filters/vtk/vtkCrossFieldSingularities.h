@@ -11,6 +11,9 @@
  * vtkGinzburgLandauCrossField or another filter of this module, with the cell arrays of
  * vtkDrillHoles and `CrossFieldCR`.
  *
+ * Triangles that are in no plane are a surface in space with the cell array `Cross` (3 components, along one direction of the cross),
+ * such as the output of vtkHField. The singularities are at its vertices.
+ *
  * Output port 0 (vtkPolyData): one vertex for every singularity. Point arrays, 1 component:
  * - `QuarterIndex` (int, not 0): the number of turns of u around the point;
  * - `BoundaryKind` (int): 0 inside, 1 on the outer loop, 2 on an inner loop (a singularity that has

@@ -4,6 +4,7 @@
 #include "vtkBoundarySimplifier.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldMap.h"
+#include "vtkCrossFieldSingularities.h"
 #include "vtkHField.h"
 #include "vtkPoincareHopfCheck.h"
 #include "vtkQuadMesher.h"
@@ -247,6 +248,23 @@ TEST(QuadMesherSurfaces, HaveAnHField)
     }
   }
   EXPECT_FALSE(output->GetFieldData()->HasArray("Energy"));
+  // Its singularities are those given.
+  vtkNew<vtkCrossFieldSingularities> read;
+  read->SetInputConnection(field->GetOutputPort());
+  UpdateWithoutError(read);
+  vtkPolyData* found = read->GetOutput();
+  ASSERT_EQ(found->GetNumberOfPoints(), 8);
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    EXPECT_EQ(found->GetPointData()->GetArray("QuarterIndex")->GetTuple1(i), 1.0);
+    EXPECT_EQ(found->GetPointData()->GetArray("BoundaryKind")->GetTuple1(i), 0.0);
+    EXPECT_NEAR(std::abs(found->GetPoint(i)[0]), std::sqrt(1.0 / 3.0), 1e-6);
+  }
+  output->GetCellData()->RemoveArray("Cross");
+  vtkNew<vtkUnstructuredGrid> without;
+  without->ShallowCopy(output);
+  read->SetInputData(without);
+  CaptureError(read, { "no cell array 'Cross'", "H Field" });
 }
 
 TEST(QuadMesherSurfaces, AreChecked)

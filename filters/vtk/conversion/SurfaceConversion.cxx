@@ -27,6 +27,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace SurfaceConversion
 {
@@ -148,5 +149,52 @@ void WriteField(const crossfield::MeshTopology& topology, const crossfield::Surf
   ColumnWriting::AddNumbers(output->GetFieldData(), names::HolonomyDefect, field.holonomyDefect);
   ColumnWriting::AddIntegers(output->GetFieldData(), names::Converged, { 1 });
   ColumnWriting::AddIntegers(output->GetFieldData(), names::UnwantedSingularities, { 0 });
+}
+
+//------------------------------------------------------------------------------
+Crosses ReadCrosses(vtkUnstructuredGrid* input)
+{
+  vtkDataArray* cross = input->GetCellData()->GetArray(vtkCrossFieldArrayNames::Cross);
+  if (cross == nullptr || cross->GetNumberOfComponents() != 3)
+  {
+    throw crossfield::Error(
+      "The surface has no cell array 'Cross' with three components; give the output of H Field, or "
+      "triangles with a direction of the cross on each.");
+  }
+  crossfield::SurfaceMesh surface;
+  const UsedPoints used(input);
+  for (const vtkIdType point : used.GetIds())
+  {
+    surface.points.emplace_back(input->GetPoint(point));
+  }
+  std::vector<crossfield::SpacePoint> directions;
+  CellLoop::ForEachCell(input,
+    [&](vtkIdType cell, int type, const CellLoop::Points& points)
+    {
+      if (type == VTK_TRIANGLE)
+      {
+        surface.triangles.push_back(
+          { used.IndexOf(points[0]), used.IndexOf(points[1]), used.IndexOf(points[2]) });
+        directions.emplace_back(cross->GetTuple(cell));
+      }
+    });
+  Crosses result;
+  result.topology = std::make_shared<const crossfield::SurfaceTopology>(std::move(surface));
+  result.angle.resize(result.topology->TriangleCount());
+  for (int t = 0; t < result.topology->TriangleCount(); ++t)
+  {
+    const auto& v = result.topology->mesh.triangles[t];
+    const crossfield::SpacePoint side =
+      result.topology->PositionOf(v[1]) - result.topology->PositionOf(v[0]);
+    const crossfield::SpacePoint across = result.topology->NormalOf(t).cross(side);
+    const double angle = std::atan2(directions[t].dot(across), directions[t].dot(side));
+    if (!std::isfinite(angle) || directions[t].isZero())
+    {
+      throw crossfield::Error(
+        "The array 'Cross' has no direction on triangle " + std::to_string(t) + "; correct it.");
+    }
+    result.angle[t] = angle + result.topology->DirectionOf(t, 0);
+  }
+  return result;
 }
 }

@@ -4,6 +4,7 @@
 #include "SurfaceField.h"
 #include "SurfaceQuadWorkflow.h"
 
+#include <memory>
 #include <vector>
 
 class vtkDataSet;
@@ -33,6 +34,16 @@ const crossfield::ConedSurface& Single(const crossfield::ConedSurfaces& surfaces
  */
 void WriteField(const crossfield::MeshTopology& topology, const crossfield::SurfaceField& field,
   vtkUnstructuredGrid* output);
+
+/** Crosses of the triangles of a surface. */
+struct Crosses
+{
+  std::shared_ptr<const crossfield::MeshTopology> topology;
+  Eigen::VectorXd angle; ///< Of one direction in the chart of each triangle, radians.
+};
+
+/** Reads triangles, without merging points, with the cell array `Cross` along the surface. */
+Crosses ReadCrosses(vtkUnstructuredGrid* input);
 
 /** Returns points with the array `QuarterIndex`; a null pointer gives none. */
 std::vector<crossfield::SurfaceSingularity> ReadSingularities(vtkDataSet* input);
