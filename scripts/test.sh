@@ -2,7 +2,7 @@
 # Builds for ParaView and runs the tests of that build. Exits with 0 only if all tests pass.
 #
 #   scripts/test.sh [OPTIONS OF CTEST]         about 25 minutes on a new machine with 2 cores
-#   scripts/test.sh --all [OPTIONS OF CTEST]   also for plain VTK and with sanitizers: about 100 minutes
+#   scripts/test.sh --all [OPTIONS OF CTEST]   also for plain VTK and with sanitizers: about two hours
 #
 # ctest runs once per build. tests/left_out lists the tests that a build leaves out. With --all, the builds for plain VTK and with
 # sanitizers are skipped if they have passed with the same files, options and compilers: a second run continues after an interruption.
