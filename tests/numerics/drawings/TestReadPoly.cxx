@@ -63,7 +63,11 @@ TEST(ReadOff, BoundaryInAnyPlane)
   refuses("", "ends too early");
   refuses("ply\n", "is not OFF");
   refuses("OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n", "names a point");
-  refuses("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n", "plane");
+  const Drawing inSpace =
+    ReadOff("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n", "two.off");
+  EXPECT_TRUE(inSpace.pieces.empty());
+  EXPECT_EQ(inSpace.surface.points.size(), 4U);
+  EXPECT_EQ(inSpace.surface.polygons, (std::vector<std::vector<int>>{ { 0, 1, 2 }, { 0, 2, 3 } }));
   refuses("OFF\n3 2 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n3 0 1 2\n", "no boundary");
 }
 
