@@ -15,7 +15,10 @@ def check_quads(data, report):
     Files that ParaView saves have the quads alone, without boundary lines and counts.
     """
     frame = Frame(data.points)
-    report.bound("points lie in a plane", frame.deviation, 1e-6 * frame.size, "of the domain's size")
+    # Damaged planes deviate little; a surface in space has no plane at all.
+    is_surface = frame.deviation > 1e-2 * frame.size
+    if not is_surface:
+        report.bound("points lie in a plane", frame.deviation, 1e-6 * frame.size, "of the domain's size")
     report.true("cells are quads and lines", len(data.triangles) == 0 and data.only_known_cells)
     place = np.unique(data.points, axis=0, return_inverse=True)[1].ravel()
     repeated = np.flatnonzero(np.bincount(place)[place] > 1)
@@ -37,7 +40,7 @@ def check_quads(data, report):
     report.true("BoundarySide is the loop of a point", np.array_equal(data.at_points["BoundarySide"], on_loop))
     _check_valences(data, on_loop, characteristic, report)
     _check_blocks(data, report)
-    _check_shapes(data, frame, report)
+    _check_shapes(data, frame, is_surface, report)
     report.note("SizeRatio needs the wanted sizes, and zero arcs and integers the layout, which the file does "
                 "not have: not recomputed")
 
@@ -171,8 +174,20 @@ def _check_blocks(data, report):
     report.true("neighbours in a lattice share their side", joined)
 
 
-def _check_shapes(data, frame, report):
-    corners = frame.coordinates[data.quads]
+def _in_planes_of_diagonals(corners):
+    """Returns the corners of quads in space, each projected to the plane of its diagonals."""
+    diagonal = corners[:, 2] - corners[:, 0]
+    normal = np.cross(diagonal, corners[:, 3] - corners[:, 1])
+    normal /= np.linalg.norm(normal, axis=1)[:, None]
+    axis = diagonal / np.linalg.norm(diagonal, axis=1)[:, None]
+    offset = corners - corners[:, :1]
+    return np.stack([np.einsum("qci,qi->qc", offset, axis),
+                     np.einsum("qci,qi->qc", offset, np.cross(normal, axis))], axis=2)
+
+
+def _check_shapes(data, frame, is_surface, report):
+    corners = (_in_planes_of_diagonals(data.points[data.quads]) if is_surface and ("Inverted" not in data.field or data.value("Inverted") == 0)
+               else frame.coordinates[data.quads])
     following = np.roll(corners, -1, axis=1) - corners
     previous = np.roll(corners, 1, axis=1) - corners
     lengths = np.linalg.norm(following, axis=2) * np.linalg.norm(previous, axis=2)
@@ -185,9 +200,10 @@ def _check_shapes(data, frame, report):
     report.bound("ScaledJacobian is the least sine of the angles", np.abs(stated - jacobian).max(), exactness,
                  "rounding of coordinates")
     area = 0.5 * _cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
-    ends = frame.coordinates[data.lines]
-    inside = 0.5 * _cross(ends[:, 0], ends[:, 1]).sum()
-    report.bound("quads fill the loops", abs(area.sum() - inside) / inside, exactness, "rounding of areas")
+    if not is_surface:
+        ends = frame.coordinates[data.lines]
+        inside = 0.5 * _cross(ends[:, 0], ends[:, 1]).sum()
+        report.bound("quads fill the loops", abs(area.sum() - inside) / inside, exactness, "rounding of areas")
     if "Inverted" not in data.field:
         return
     report.true("no quad is turned over except the reported ones", data.value("Inverted") > 0 or (area > 0).all())
