@@ -259,9 +259,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
-                   as for `solve`, without holes; or a surface in space with singularities that `configuration` makes
-                   of points (n, 3), for which of the arguments below only size and count apply; without singularities they are chosen for the domain, and
-                   report["events"] lists the decisions. `corners` may also be a dictionary that sets what
+                   as for `solve`, without holes; without singularities they are chosen for the domain, and
+                   report["events"] lists the decisions. A domain may also be a surface in space: `configuration`
+                   makes its singularities from points (n, 3), and of the arguments below only size and count apply.
+                   `corners` may also be a dictionary that sets what
                    rows of quads do, as {(1, 0): "leave", "wall": "turn"}: "end" on the next side, "turn" around
                    the corner, or "leave" it along a grid line; keys are positions, names of sides for all of
                    their corners, or ranges of angles in degrees as "200-300"

@@ -258,8 +258,8 @@ int vtkBoundarySimplifier::RequestData(
         if (isRequested || !this->Part.empty())
         {
           throw crossfield::Error(
-            "The domain is a surface in space, whose boundary is not simplified and whose parts "
-            "are not selected yet; leave the lengths and the part out.");
+            "The boundary of a surface in space is not simplified, and its parts are not selected "
+            "yet; leave out the lengths (--thin-boundary, --smooth-boundary) and the part (--part).");
         }
         PassThrough(whole, output);
         return;

@@ -7,9 +7,11 @@
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
+#include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "ProposalConversion.h"
+#include "SurfaceConversion.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -51,6 +53,11 @@ int vtkConfigurationProposal::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
+      if (SurfaceConversion::IsSurface(domain))
+      {
+        throw crossfield::Error("Singularities are not chosen for a surface in space yet; give "
+                                "points with their quarter indices.");
+      }
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain, this);
       crossfield::AutomaticOptions automatic;
       automatic.optimizer.clearance = this->Clearance;

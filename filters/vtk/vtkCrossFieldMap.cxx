@@ -64,8 +64,8 @@ int vtkCrossFieldMap::RequestData(
         if (this->RepairHolonomy || corners != nullptr || this->MeshSize > 0.0)
         {
           throw crossfield::Error(
-            "For a surface in space, singularities are not moved, corners not prescribed and "
-            "triangles not made yet; leave out RepairHolonomy, the corners and MeshSize.");
+            "The map of a surface in space does not support RepairHolonomy, prescribed corners and "
+            "MeshSize yet; leave them out.");
         }
         const crossfield::ConedSurfaces surfaces = SurfaceConversion::Read(domain, singularities);
         this->StageSeconds[0] = stopwatch.Lap();

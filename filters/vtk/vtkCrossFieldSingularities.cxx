@@ -1,6 +1,5 @@
 #include "vtkCrossFieldSingularities.h"
 
-#include "ColumnWriting.h"
 #include "ConfigurationConversion.h"
 #include "CrossFieldArrays.h"
 #include "DrilledMeshConversion.h"
@@ -11,14 +10,12 @@
 #include "SurfaceIndices.h"
 #include "vtkCrossFieldArrayNames.h"
 
-#include "vtkCellArray.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -44,49 +41,6 @@ void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singula
   output->GetPointData()->AddArray(kinds);
   output->GetPointData()->AddArray(ids);
 }
-
-/** Writes the singularities of the crosses on the triangles of a surface in space. */
-void WriteThoseOfSurface(vtkUnstructuredGrid* input, bool includesCorners, vtkPolyData* output)
-{
-  const SurfaceConversion::Crosses crosses = SurfaceConversion::ReadCrosses(input);
-  const crossfield::MeshTopology& topology = *crosses.topology;
-  std::vector<int> quarters = crossfield::ReadSurfaceIndices(topology, crosses.angle);
-  crossfield::JoinNeighbours(topology, quarters);
-  std::vector<int> kind(quarters.size(), 0);
-  std::vector<int> loop(quarters.size(), -1);
-  for (const crossfield::BoundaryEdge& edge : topology.mesh.boundary)
-  {
-    const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
-    kind[vertex] = static_cast<int>(edge.kind);
-    loop[vertex] = edge.id;
-    const bool isCorner = topology.corners[vertex];
-    quarters[vertex] = isCorner && !includesCorners ? 0 : quarters[vertex];
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  std::vector<int> columns[3];
-  for (int wanted = 0; wanted < 3; ++wanted) // those inside first
-  {
-    for (std::size_t v = 0; v < quarters.size(); ++v)
-    {
-      if (quarters[v] != 0 && kind[v] == wanted)
-      {
-        const crossfield::SpacePoint place = topology.PositionOf(static_cast<int>(v));
-        vertices->InsertNextCell({ points->InsertNextPoint(place.data()) });
-        columns[0].push_back(quarters[v]);
-        columns[1].push_back(kind[v]);
-        columns[2].push_back(loop[v]);
-      }
-    }
-  }
-  output->SetPoints(points);
-  output->SetVerts(vertices);
-  namespace names = vtkCrossFieldArrayNames;
-  ColumnWriting::AddIntegers(output->GetPointData(), names::QuarterIndex, columns[0]);
-  ColumnWriting::AddIntegers(output->GetPointData(), names::BoundaryKind, columns[1]);
-  ColumnWriting::AddIntegers(output->GetPointData(), names::BoundaryId, columns[2]);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -108,7 +62,11 @@ int vtkCrossFieldSingularities::RequestData(
     {
       if (SurfaceConversion::IsSurface(input))
       {
-        WriteThoseOfSurface(input, this->IncludeCorners, vtkPolyData::GetData(outputVector));
+        const SurfaceConversion::Crosses crosses = SurfaceConversion::ReadCrosses(input);
+        SurfaceConversion::WriteSingularities(*crosses.topology,
+          crossfield::FindSurfaceSingularities(
+            *crosses.topology, crosses.angle, this->IncludeCorners),
+          vtkPolyData::GetData(outputVector));
         return;
       }
       const DrilledMeshConversion::DrilledMesh cells =

@@ -59,14 +59,14 @@ int vtkHField::RequestData(
         if (corners != nullptr || this->MeshSize > 0.0)
         {
           throw crossfield::Error(
-            "For a surface in space, corners are not prescribed and triangles not made yet; leave "
-            "out the corners and MeshSize.");
+            "The field of a surface in space does not support prescribed corners and MeshSize yet; "
+            "leave them out.");
         }
         const crossfield::ConedSurfaces surfaces = SurfaceConversion::Read(domain, singularities);
         const crossfield::ConedSurface& part = SurfaceConversion::Single(surfaces);
         this->StageSeconds[0] = stopwatch.Lap();
-        SurfaceConversion::WriteField(*part.topology,
-          crossfield::SolveSurfaceField(part.topology, part.cones, progress), output);
+        SurfaceConversion::WriteField(
+          part, crossfield::SolveSurfaceField(part.topology, part.cones, progress), output);
         this->StageSeconds[1] = 0.0;
         this->StageSeconds[2] = stopwatch.Lap();
         this->StageSeconds[3] = 0.0;

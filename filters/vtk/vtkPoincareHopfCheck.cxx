@@ -16,7 +16,6 @@
 #include "SideText.h"
 #include "SingularityRecord.h"
 #include "SurfaceConversion.h"
-#include "SurfaceTopology.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -157,34 +156,6 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   ColumnWriting::AddText(data, names::Reason, findings.reason);
 }
 
-/** Writes the corners of the boundary of a surface that have a quarter index. */
-void WriteCornersInSpace(const crossfield::ConedSurfaces& surfaces, vtkPolyData* output)
-{
-  std::vector<crossfield::CountedCorner> corners;
-  std::vector<crossfield::SpacePoint> places;
-  for (const crossfield::ConedSurface& part : surfaces.parts)
-  {
-    for (int i = 0; i < static_cast<int>(part.topology->turning.size()); ++i)
-    {
-      const int vertex = part.topology->BoundaryAt(i).vertices[0];
-      const auto cone = std::find_if(part.cones.begin(), part.cones.end(),
-        [vertex](const crossfield::Cone& one) { return one.onBoundary && one.vertex == vertex; });
-      if (cone != part.cones.end())
-      {
-        corners.emplace_back();
-        corners.back().angle = crossfield::Pi - part.topology->turning[i];
-        corners.back().quarterIndex = cone->quarterIndex;
-        places.push_back(part.topology->PositionOf(vertex));
-      }
-    }
-  }
-  CornerConversion::WriteCountedCorners(corners, crossfield::DomainPlane(), output);
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    output->GetPoints()->SetPoint(static_cast<vtkIdType>(i), places[i].data());
-  }
-}
-
 /** Checks singularities of a surface in space, and writes what is known of it. */
 crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, vtkDataSet* singularities,
   vtkDataSet* corners, vtkDataSet* output, vtkPolyData* cornerOutput)
@@ -192,31 +163,18 @@ crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, vtkDataSet* singulariti
   if (corners != nullptr)
   {
     throw crossfield::Error(
-      "Corners of a surface in space cannot be prescribed yet; leave them out.");
+      "The check of a surface in space does not support prescribed corners yet; leave them out.");
   }
-  const crossfield::ConedSurfaces surfaces = SurfaceConversion::Read(input, singularities);
-  const crossfield::SurfaceCheck check = crossfield::CheckSurface(surfaces);
-  int characteristic = 0;
-  int required = 0;
-  int given = 0;
-  double curvature = 0.0;
-  double turning = 0.0;
-  for (const crossfield::ConedSurface& part : surfaces.parts)
-  {
-    characteristic += part.topology->edges.EulerCharacteristic(part.topology->mesh);
-    required += part.RequiredQuarters();
-    given += part.GivenQuarters();
-    curvature += part.topology->charts->curvature.sum();
-    turning += part.topology->turning.sum();
-  }
-  WriteCornersInSpace(surfaces, cornerOutput);
+  const crossfield::SurfaceCheck check =
+    crossfield::CheckSurface(SurfaceConversion::Read(input, singularities));
+  SurfaceConversion::WriteCorners(check.corners, cornerOutput);
   output->ShallowCopy(input);
   vtkFieldData* data = output->GetFieldData();
-  AddIntegers(data, names::EulerCharacteristic, { characteristic });
-  AddNumbers(data, names::TotalCurvature, { curvature / (2.0 * crossfield::Pi) });
-  AddNumbers(data, names::TangentTurning, { turning / (2.0 * crossfield::Pi) });
-  AddIntegers(data, names::RequiredInteriorQuarters, { required });
-  AddIntegers(data, names::GivenInteriorQuarters, { given });
+  AddIntegers(data, names::EulerCharacteristic, { check.eulerCharacteristic });
+  AddNumbers(data, names::TotalCurvature, { check.totalCurvature });
+  AddNumbers(data, names::TangentTurning, { check.tangentTurning });
+  AddIntegers(data, names::RequiredInteriorQuarters, { check.requiredQuarters });
+  AddIntegers(data, names::GivenInteriorQuarters, { check.givenQuarters });
   AddIntegers(data, names::Consistent, { check.consistent ? 1 : 0 });
   data->RemoveArray(names::HolonomyDefect);
   if (!check.holonomyDefect.empty())

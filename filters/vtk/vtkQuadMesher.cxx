@@ -270,34 +270,34 @@ void vtkQuadMesher::Warn(const crossfield::QuadWorkflowResult& result)
 void vtkQuadMesher::RequireOptionsOfSurfaces(vtkInformationVector** inputVector) const
 {
   const std::pair<bool, const char*> options[] = {
-    { vtkDataSet::GetData(inputVector[2]) != nullptr, "Quarter indices of corners" },
+    { vtkDataSet::GetData(inputVector[2]) != nullptr, "prescribed corners" },
     { vtkTable::GetData(inputVector[SidePort]) != nullptr || !this->Sides.empty() ||
         !this->SizesInside.empty(),
-      "Numbers and sizes of sides" },
+      "edge counts and sizes of sides" },
     { !this->SizesNear.empty() || this->MinimumSize > 0.0 || this->MaximumSize > 0.0 ||
         this->Sizing == SizingUniform || this->Sizing == SizingField,
-      "Sizes other than those of the field" },
-    { !this->Nodes.empty(), "Nodes at positions" },
-    { !this->Layers.empty(), "Boundary layers" },
-    { !this->Periodic.empty(), "Periodic sides" },
-    { !this->Curves.empty(), "Curves" },
-    { !this->CornerRows.empty(), "Rows at corners" },
-    { !this->Lines.empty() || !this->OpenLines.empty(), "Lines inside" },
-    { !this->MaterialArray.empty() && this->MaterialArray != "none", "Materials" },
-    { !this->SideNameArray.empty(), "Names of sides" },
-    { this->MeshSize > 0.0, "A size of triangles" },
-    { this->Merge != MergeNone, "Merging blocks" },
+      "sizes other than conformal ones" },
+    { !this->Nodes.empty(), "nodes at positions" },
+    { !this->Layers.empty(), "boundary layers" },
+    { !this->Periodic.empty(), "periodic sides" },
+    { !this->Curves.empty(), "curves of the boundary" },
+    { !this->CornerRows.empty(), "rules for rows at corners" },
+    { !this->Lines.empty() || !this->OpenLines.empty(), "lines inside" },
+    { !this->MaterialArray.empty() && this->MaterialArray != "none", "materials" },
+    { !this->SideNameArray.empty(), "names of sides" },
+    { this->MeshSize > 0.0, "a mesh size" },
+    { this->Merge != MergeNone, "merging of blocks" },
     { this->Prefer != PreferEnergy || this->Alternative != 0 || this->Pairs != 0 ||
         this->Clearance > 0.0,
-      "Choosing singularities" },
-    { this->RepairHolonomy || this->SplitSingularities, "Moving or splitting singularities" },
+      "choosing singularities" },
+    { this->RepairHolonomy || this->SplitSingularities, "moving or splitting singularities" },
   };
   for (const auto& [isSet, what] : options)
   {
     if (isSet)
     {
-      throw crossfield::Error(
-        std::string(what) + " cannot be had for a surface in space yet; leave this out.");
+      throw crossfield::Error("Quads of a surface in space do not support " + std::string(what) +
+        " yet; leave this option out.");
     }
   }
 }

@@ -67,7 +67,7 @@ int vtkSeparatrices::RequestData(
       if (seeds != nullptr && map.map.topology->charts)
       {
         throw crossfield::Error(
-          "Streamlines of a surface in space cannot start at seeds yet; leave the seeds out.");
+          "Streamlines from seeds are not supported on a surface in space yet; leave the seeds out.");
       }
       const std::vector<crossfield::Point> places = ReadSeeds(seeds, map.plane);
       const double longest = this->LongestStreamline > 0.0

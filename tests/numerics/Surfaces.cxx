@@ -109,6 +109,19 @@ SurfaceMesh Hemisphere(int n)
   return UpperPart(CubedSphere(n));
 }
 
+std::vector<Cone> ConesOfCube(const SurfaceMesh& surface)
+{
+  std::vector<Cone> cones;
+  for (int vertex = 0; vertex < static_cast<int>(surface.points.size()); ++vertex)
+  {
+    if ((surface.points[vertex].cwiseAbs().array() - std::sqrt(1.0 / 3.0)).abs().maxCoeff() < 1e-9)
+    {
+      cones.push_back({ vertex, 1, false, static_cast<int>(cones.size()) });
+    }
+  }
+  return cones;
+}
+
 SurfaceMesh Torus(double R, int m, int n)
 {
   SurfaceMesh surface;
@@ -210,6 +223,17 @@ TriangleMesh GridOfSquare(int n)
     add(at(0, n - i), at(0, n - i - 1));
   }
   return mesh;
+}
+
+std::vector<Cone> ConesOfSquare(int n)
+{
+  std::vector<Cone> cones = { { n / 3 * (n + 1) + 5, 1, false, 0 },
+    { 2 * n / 3 * (n + 1) + 7, -1, false, 1 } };
+  for (const int corner : { 0, n, n * (n + 1), (n + 1) * (n + 1) - 1 })
+  {
+    cones.push_back({ corner, 1, true, -1 });
+  }
+  return cones;
 }
 
 SurfaceMesh BentAtRandom(const TriangleMesh& mesh, int n, unsigned seed)

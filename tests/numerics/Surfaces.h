@@ -1,5 +1,6 @@
 #pragma once
 
+#include "SeamlessMap.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
 
@@ -13,6 +14,9 @@ SurfaceMesh CubedSphere(int n);
 /// Returns the part of that sphere with z ≥ 0; n is even.
 SurfaceMesh Hemisphere(int n);
 
+/// Returns cones of index 1 at the corners of the cube in either of them.
+std::vector<Cone> ConesOfCube(const SurfaceMesh& surface);
+
 /// Returns the torus of circles of radius 1 around a circle of radius R > 1, as m × n quadrilaterals that
 /// are cut into two triangles: n along the small circles. With even m and n it has the reflections of the torus.
 SurfaceMesh Torus(double R, int m, int n);
@@ -23,6 +27,9 @@ SurfaceMesh BoxWithHoles(int genus, int n);
 
 /// Returns the unit square as n × n squares, each cut into two triangles.
 TriangleMesh GridOfSquare(int n);
+
+/// Returns cones at the corners of that square, and a pair inside.
+std::vector<Cone> ConesOfSquare(int n);
 
 /// Bends a mesh with its vertices on the lines x = i / n along these lines: each strip between two of them gets a
 /// random direction in the plane of x and z. Then turns it. Lengths stay.

@@ -2,6 +2,7 @@
 
 #include "support/FilterChecks.h"
 #include "vtkBoundarySimplifier.h"
+#include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldMap.h"
 #include "vtkCrossFieldSingularities.h"
@@ -167,10 +168,10 @@ TEST(QuadMesherSurfaces, HaveNoPlanarOptions)
   mesher->SetInputData(BlownUpCube());
   mesher->SetSingularitiesData(CubeCorners());
   mesher->SetLayers("outer0:0.01");
-  CaptureError(mesher, { "Boundary layers cannot be had for a surface", "leave this out" });
+  CaptureError(mesher, { "do not support boundary layers yet", "leave this option out" });
   mesher->SetLayers("");
   mesher->SetMerge(vtkQuadMesher::MergeCoarse);
-  CaptureError(mesher, { "Merging blocks cannot be had" });
+  CaptureError(mesher, { "do not support merging of blocks yet" });
   mesher->SetMerge(vtkQuadMesher::MergeNone);
   mesher->SetSingularitiesData(CubeCorners(7));
   EXPECT_EQ(CaptureError(mesher, { "add up to 7", "needs 8" }),
@@ -188,6 +189,13 @@ TEST(QuadMesherSurfaces, KeepTheConventionsOfFilters)
   CheckProgressAndAbort(mesher);
   CheckRunTwice(
     mesher, [&] { mesher->SetQuadCount(150); }, [&] { mesher->SetQuadCount(600); });
+}
+
+TEST(QuadMesherSurfaces, HaveNoProposal)
+{
+  vtkNew<vtkConfigurationProposal> proposal;
+  proposal->SetInputData(BlownUpCube());
+  CaptureError(proposal, { "not chosen for a surface in space yet", "give points" });
 }
 
 TEST(QuadMesherSurfaces, HaveMapAndSeparatrices)
@@ -248,6 +256,7 @@ TEST(QuadMesherSurfaces, HaveAnHField)
     }
   }
   EXPECT_FALSE(output->GetFieldData()->HasArray("Energy"));
+  EXPECT_EQ(output->GetFieldData()->GetArray("UnwantedSingularities")->GetTuple1(0), 0.0);
   // Its singularities are those given.
   vtkNew<vtkCrossFieldSingularities> read;
   read->SetInputConnection(field->GetOutputPort());

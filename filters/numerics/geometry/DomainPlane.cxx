@@ -56,8 +56,7 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   {
     throw Error("The domain is not planar: its points are up to " + FormatNumber(plane.Deviation) +
       " off the nearest plane and its size is " + FormatNumber(plane.Size) +
-      "; give a domain that lies in one plane, or singularities if it is a surface for quads, separatrices or "
-      "check.");
+      "; give a domain that lies in one plane.");
   }
   return plane;
 }

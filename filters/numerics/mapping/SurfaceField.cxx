@@ -1,7 +1,7 @@
 #include "SurfaceField.h"
 
 #include "BestAngle.h"
-#include "PhaseSteps.h"
+#include "SurfaceFrames.h"
 #include "TargetSolve.h"
 
 #include <Eigen/LU>
@@ -55,10 +55,8 @@ Eigen::VectorXd WithoutMean(const MeshTopology& topology, Eigen::VectorXd h)
 SurfaceField SolveSurfaceField(
   const SharedTopology& topology, const std::vector<Cone>& cones, const Progress& progress)
 {
-  const VertexPotential potential(topology, progress.Part(0.0, 0.5));
-  VertexPotential::Solution solution = potential.Solve(QuartersOfVertices(*topology, cones));
-  TriangleFrames frames = FrameTriangles(*topology, StepsOf(potential, solution));
-  frames.h.array() -= frames.h.mean();
+  SurfaceFrames solved = SolveSurfaceFrames(topology, cones, progress.Part(0.0, 0.5));
+  const TriangleFrames& frames = solved.frames;
   double turn = 0.0;
   if (topology->loops.empty())
   {
@@ -68,13 +66,14 @@ SurfaceField SolveSurfaceField(
     turn = TurnOf(map, frames);
   }
   SurfaceField field;
-  field.h = WithoutMean(*topology, 0.25 * solution.potential.head(topology->VertexCount()));
+  field.h = WithoutMean(*topology, std::move(solved.h));
+  field.angle = (frames.angle.array() + turn).matrix();
   for (int t = 0; t < topology->TriangleCount(); ++t)
   {
-    const double angle = frames.angle[t] + turn;
-    field.cross.push_back(DirectionInSpace(*topology, t, { std::cos(angle), std::sin(angle) }));
+    field.cross.push_back(
+      DirectionInSpace(*topology, t, { std::cos(field.angle[t]), std::sin(field.angle[t]) }));
   }
-  field.holonomyDefect = std::move(solution.holonomyDefect);
+  field.holonomyDefect = std::move(solved.holonomyDefect);
   progress.Report(1.0);
   return field;
 }

@@ -2,12 +2,14 @@
 
 #include "Error.h"
 #include "InjectivityCheck.h"
-#include "PhaseSteps.h"
 #include "PoincareHopf.h"
+#include "SurfaceFrames.h"
 #include "TargetSolve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace crossfield
 {
@@ -18,17 +20,18 @@ namespace
   const MeshTopology& topology, const MapFault& fault, const std::vector<double>& holonomyDefect)
 {
   const std::string what = DescribeFault(fault);
+  const auto worst = std::max_element(holonomyDefect.begin(), holonomyDefect.end(),
+    [](double a, double b) { return std::abs(a) < std::abs(b); });
   constexpr double Harmless = 4.0 * Pi / 180.0; // one degree of the crosses
-  for (std::size_t k = 0; k < holonomyDefect.size(); ++k)
+  if (worst != holonomyDefect.end() && std::abs(*worst) > Harmless)
   {
-    if (std::abs(holonomyDefect[k]) > Harmless)
-    {
-      const Cycle::Step& step = topology.cycles[k].steps.front();
-      throw Error(what + ", because crosses do not close up around the handle or loop near " +
-          topology.Where(topology.mesh.triangles[step.triangle][step.entry]) + ", by " +
-          CrossAngle(holonomyDefect[k]),
-        "move singularities to positions where they do", Error::Kind::CoarseMesh);
-    }
+    const Cycle& cycle = topology.cycles[worst - holonomyDefect.begin()];
+    const Cycle::Step& step = cycle.steps.front();
+    throw Error(what + ", because crosses do not close up around the " +
+        (cycle.IsClosed() ? "handle" : "boundary loop") + " near " +
+        topology.Where(topology.mesh.triangles[step.triangle][step.entry]) + ", by " +
+        CrossAngle(*worst),
+      "move singularities to positions where they do", Error::Kind::CoarseMesh);
   }
   throw Error(what,
     "use a finer mesh, or move singularities away from each other and from the boundary",
@@ -43,17 +46,15 @@ SeamlessMap SolveSurfaceMap(
   {
     RequireAngle(cone, topology->Where(cone.vertex));
   }
-  const VertexPotential potential(topology, progress.Part(0.0, 0.3));
-  VertexPotential::Solution solution = potential.Solve(QuartersOfVertices(*topology, cones));
-  TriangleFrames frames = FrameTriangles(*topology, StepsOf(potential, solution));
-  frames.h.array() -= frames.h.mean();
+  SurfaceFrames solved = SolveSurfaceFrames(topology, cones, progress.Part(0.0, 0.3));
+  const TriangleFrames& frames = solved.frames;
   SeamlessMap map = SolveTargets(
     { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 1.0));
   if (const auto fault = FindFault(map))
   {
-    Refuse(*topology, *fault, solution.holonomyDefect);
+    Refuse(*topology, *fault, solved.holonomyDefect);
   }
-  map.holonomyDefect = std::move(solution.holonomyDefect);
+  map.holonomyDefect = std::move(solved.holonomyDefect);
   if (map.cones.empty() && topology->loops.empty())
   {
     map.cones.push_back({ 0, 0, false, -1 }); // where lines start

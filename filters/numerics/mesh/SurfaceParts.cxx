@@ -37,8 +37,8 @@ std::array<int, 2> EndsOf(const Triangle& triangle, std::size_t side)
   return { least, largest };
 }
 
-/// Returns for example "2 triangles were".
-std::string Were(std::size_t count, const std::string& what)
+/// Returns a count with a noun and the verb, for example "2 triangles were".
+std::string CountedWere(std::size_t count, const std::string& what)
 {
   return std::to_string(count) + " " + what + (count == 1 ? " was" : "s were");
 }
@@ -204,13 +204,13 @@ public:
     const std::size_t turned = this->Orient();
     if (turned > 0)
     {
-      result.events.push_back(Were(turned, "triangle") + " turned over.");
+      result.events.push_back(CountedWere(turned, "triangle") + " turned over.");
     }
     const std::size_t split = this->SplitFans();
     if (split > 0)
     {
       result.events.push_back(
-        Were(split, "point") + " added where parts of the surface meet in a point only.");
+        CountedWere(split, "point") + " added where parts of the surface meet in a point only.");
     }
     result.parts = this->CollectParts();
     return result;
@@ -456,12 +456,12 @@ SurfaceParts FindSurfaceParts(SurfaceMesh surface)
   if (flat > 0)
   {
     result.events.insert(
-      result.events.begin(), Were(flat, "triangle") + " removed, because without an area.");
+      result.events.begin(), CountedWere(flat, "triangle") + " removed, because without an area.");
   }
   if (repeated > 0)
   {
     result.events.insert(result.events.begin(),
-      Were(repeated, "triangle") + " removed, because given twice or with a point twice.");
+      CountedWere(repeated, "triangle") + " removed, because given twice or with a point twice.");
   }
   return result;
 }

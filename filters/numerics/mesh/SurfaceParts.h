@@ -16,16 +16,17 @@ struct SurfaceParts
 /// Returns whether a triangle has no area beyond rounding: a height below 1e-12 of its longest side.
 bool IsFlat(const SurfaceMesh& surface, const std::array<int, 3>& triangle);
 
-/// Returns the triangle across each side (p_i to p_i+1) of the triangles, −1 on the boundary. Throws Error, with a place, if
-/// an edge has more than two triangles.
+/// Returns the triangle across each side (p_i to p_i+1) of the triangles, −1 on the boundary. Throws Error, with a
+/// place, if an edge has more than two triangles.
 std::vector<std::array<int, 3>> FindNeighbours(const SurfaceMesh& surface);
 
-/// Makes manifold, consistently oriented parts without degenerate triangles of triangles whose equal points are
-/// merged (docs/method.md §22.6). Triangles with a point twice, or given twice, are removed; a flat one is removed and
-/// the triangle beyond its longest side divided instead; closed parts turn their outside outwards, others keep the
-/// orientation of most triangles; a point in which fans of triangles touch becomes one for each.
+/// Divides triangles, whose equal points are merged, into connected parts that are manifold, consistently oriented
+/// and without degenerate triangles (docs/method.md §22.6). Triangles with a point twice, or given twice, are
+/// removed. A flat triangle is removed, and the triangle beyond its longest side is divided instead. Closed parts are
+/// oriented outwards, others as most of their triangles. A point where several fans of triangles touch becomes one
+/// point for each fan.
 ///
-/// Throws Error, with a place, if an edge has more than two triangles, if a part has no two sides, as a Möbius strip, or
-/// if its boundary touches itself in a point.
+/// Throws Error, with a place, if an edge has more than two triangles, if a part is not orientable, or if its
+/// boundary touches itself in a point.
 SurfaceParts FindSurfaceParts(SurfaceMesh surface);
 }

@@ -1,11 +1,12 @@
 #include "VertexPlacement.h"
 
+#include "SurfaceParts.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace crossfield
 {
@@ -91,23 +92,18 @@ VertexPlacement::VertexPlacement(SurfaceMesh& surface)
   , TrianglesAt(surface.points.size())
   , IsFree(surface.points.size(), true)
 {
-  std::map<std::array<int, 2>, int> sides;
+  const std::vector<std::array<int, 3>> neighbours = FindNeighbours(surface);
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
   {
     const auto& v = surface.triangles[t];
     for (std::size_t i = 0; i < 3; ++i)
     {
       this->TrianglesAt[v[i]].push_back(t);
-      const auto [least, largest] = std::minmax(v[i], v[(i + 1) % 3]);
-      ++sides[{ least, largest }];
-    }
-  }
-  for (const auto& [ends, triangles] : sides)
-  {
-    if (triangles == 1)
-    {
-      this->IsFree[ends[0]] = false;
-      this->IsFree[ends[1]] = false;
+      if (neighbours[t][i] < 0)
+      {
+        this->IsFree[v[i]] = false;
+        this->IsFree[v[(i + 1) % 3]] = false;
+      }
     }
   }
 }
@@ -145,7 +141,7 @@ std::optional<VertexPlacement::Placed> VertexPlacement::Place(const SurfacePoint
 
 bool VertexPlacement::CanMove(int vertex, const SpacePoint& to) const
 {
-  constexpr double LeastAngle = 8.0 * Pi / 180.0; // maps of thinner triangles fold
+  constexpr double MinimumAngle = 8.0 * Pi / 180.0; // maps of thinner triangles fold
   const std::vector<int>& around = this->TrianglesAt[vertex];
   return std::all_of(around.begin(), around.end(),
     [&](int t)
@@ -157,7 +153,7 @@ bool VertexPlacement::CanMove(int vertex, const SpacePoint& to) const
         after[i] = this->Surface.triangles[t][i] == vertex ? to : before[i];
       }
       return NormalOf(before).dot(NormalOf(after)) > 0.0 &&
-        SmallestAngle(after) >= std::min(LeastAngle, SmallestAngle(before));
+        SmallestAngle(after) >= std::min(MinimumAngle, SmallestAngle(before));
     });
 }
 }

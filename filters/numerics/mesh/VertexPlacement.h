@@ -22,7 +22,7 @@ SurfacePoint FindNearest(const SurfaceMesh& surface, const SpacePoint& place);
 class VertexPlacement
 {
 public:
-  /// The surface must outlive the object.
+  /// The surface must outlive the object. Throws Error as FindNeighbours does.
   explicit VertexPlacement(SurfaceMesh& surface);
 
   struct Placed

@@ -1,6 +1,6 @@
 #include "BestAngle.h"
 
-#include "ConeWays.h"
+#include "ConeVectors.h"
 
 #include <Eigen/Geometry>
 
@@ -72,21 +72,20 @@ double WrapQuarter(double angle)
   return 0.25 * WrapAngle(4.0 * angle);
 }
 
-/// A direction in which straight ways lead from one singularity to another, with the sum of the inverses of
-/// their lengths.
+/// A direction of vectors between singularities, with the sum of the inverses of their lengths.
 struct Vote
 {
   double angle;
   double weight;
 };
 
-/// Returns the directions of ways, those that only rounding distinguishes as one.
-std::vector<Vote> CollectVotes(const std::vector<Point>& ways)
+/// Returns the directions of vectors; those that only rounding distinguishes are joined.
+std::vector<Vote> CollectVotes(const std::vector<Point>& vectors)
 {
   std::vector<Vote> votes;
-  for (const Point& way : ways)
+  for (const Point& vector : vectors)
   {
-    votes.push_back({ WrapQuarter(std::atan2(way.y(), way.x())), 1.0 / way.norm() });
+    votes.push_back({ WrapQuarter(std::atan2(vector.y(), vector.x())), 1.0 / vector.norm() });
   }
   std::sort(
     votes.begin(), votes.end(), [](const Vote& a, const Vote& b) { return a.angle < b.angle; });
@@ -118,18 +117,19 @@ std::complex<double> CrossOf(const SeamlessMap& map, int triangle)
   const Eigen::Matrix2d gradient = to * from.inverse();
   const Complex derivative =
     0.5 * (complex(gradient.col(0)) - Complex(0.0, 1.0) * complex(gradient.col(1)));
-  const Complex unit = derivative / std::abs(derivative);
-  return std::conj(unit * unit * unit * unit);
+  const double length = std::abs(derivative);
+  const Complex square = derivative * derivative / (length * length);
+  return length > 0.0 ? std::conj(square * square) : Complex(0.0);
 }
 
 double BestAngle(const SeamlessMap& map)
 {
-  // Lines that miss a singularity by less make thin strips of blocks all over the surface.
+  // Separatrices that miss a singularity by a smaller angle bound thin strips of blocks.
   constexpr double Near = 0.05;
   const Complex fit = PrincipalFit(map);
-  const std::vector<Vote> votes = CollectVotes(WaysBetweenCones(map));
+  const std::vector<Vote> votes = CollectVotes(VectorsBetweenCones(map));
   double best = 0.25 * std::arg(fit);
-  double most = 0.0;
+  double highest = 0.0;
   for (const Vote& one : votes)
   {
     double weight = 0.0;
@@ -141,9 +141,9 @@ double BestAngle(const SeamlessMap& map)
     const double score = weight * (1.0 + (fit * std::polar(1.0, -4.0 * one.angle)).real());
     // Equal ones differ by rounding, and the first of them is as good as others.
     constexpr double Equal = 1e-9;
-    if (score > (1.0 + Equal) * most)
+    if (score > (1.0 + Equal) * highest)
     {
-      most = score;
+      highest = score;
       best = one.angle;
     }
   }

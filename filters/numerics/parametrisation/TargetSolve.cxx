@@ -138,6 +138,7 @@ Eigen::VectorXd TurnedToBestAngle(const Eigen::VectorXd& free,
   }
   // Quarter turns of seams commute with it, so the result fulfils their equations as well.
   Eigen::VectorXd turned(free.size());
+  // Each free unknown is one of all unknowns, whose row has a single 1.
   for (Eigen::Index i = 0; i < prolongation.outerSize(); ++i)
   {
     const Row first(prolongation, i);

@@ -319,21 +319,8 @@ private:
   /// Returns the counts for the present orbits.
   EdgeCounts FindCounts(const Progress& progress) const
   {
-    const bool given = this->Options.quadSize > 0.0;
-    EdgeCounts found = this->CountsForSize([&](double size)
-      { return this->QuantiseFor(size, given ? SearchEffort::Thorough : SearchEffort::Quick); },
-      progress);
-    if (!given && !found.optimal)
-    {
-      EdgeCounts thorough = this->QuantiseFor(found.size, SearchEffort::Thorough);
-      const double error = this->CountError(thorough);
-      if (error <= CountTolerance || error <= this->CountError(found))
-      {
-        thorough.size = found.size;
-        found = std::move(thorough);
-      }
-    }
-    return found;
+    return this->SearchCountsOf(
+      [&](double size, SearchEffort effort) { return this->QuantiseFor(size, effort); }, progress);
   }
 
   /// Finds the arcs that get equal counts by symmetries; none if prescribed sums do not permit
@@ -356,26 +343,21 @@ private:
     return FindFeasibleCounts(tMesh, equated) ? orbits : ArcOrbits(tMesh, {}, problem, 0.0);
   }
 
-  /// Returns the counts for the given size, or for the one that SearchSize finds.
-  EdgeCounts CountsForSize(
-    const std::function<EdgeCounts(double)>& countsOf, const Progress& progress) const
+  /// Returns the counts for the given size, or for the one that a search finds.
+  EdgeCounts SearchCountsOf(
+    const std::function<EdgeCounts(double size, SearchEffort effort)>& countsOf,
+    const Progress& progress) const
   {
-    if (this->Options.quadSize > 0.0)
-    {
-      progress.Report(0.0);
-      EdgeCounts counts = countsOf(this->Options.quadSize);
-      counts.size = this->Options.quadSize;
-      return counts;
-    }
-    return SearchSize(this->Result.tMesh, this->Options.quadCount,
-      FirstSize(this->Options, this->Area), countsOf, progress);
+    return SearchCounts(this->Result.tMesh, this->Options.quadSize, this->Options.quadCount,
+      this->Area, countsOf, progress);
   }
 
   /// Returns the relative error of a requested number of quads, 0 if a size was requested.
   double CountError(const EdgeCounts& counts) const
   {
-    const auto count = static_cast<double>(CountQuads(this->Result.tMesh, counts.counts));
-    return this->Options.quadSize > 0.0 ? 0.0 : std::abs(count / this->Options.quadCount - 1.0);
+    return this->Options.quadSize > 0.0
+      ? 0.0
+      : crossfield::CountError(this->Result.tMesh, counts, this->Options.quadCount);
   }
 
   static void SetCounts(EdgeCounts counts, QuadResult& result)
@@ -445,8 +427,8 @@ private:
   /// Returns counts of the target size that keep the blocks of a coarse solution.
   EdgeCounts RefineCounts(const EdgeCounts& coarse, const Chords& chords) const
   {
-    EdgeCounts refined = this->CountsForSize(
-      [&](double size)
+    EdgeCounts refined = this->SearchCountsOf(
+      [&](double size, SearchEffort)
       {
         const QuantisationProblem problem = this->ProblemFor(size);
         EdgeCounts counts = coarse;

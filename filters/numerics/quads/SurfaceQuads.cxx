@@ -6,15 +6,12 @@
 #include "MemoryBudget.h"
 #include "QuadBuilder.h"
 #include "QuadMesher.h"
-#include "Quantisation.h"
 #include "SizeSearch.h"
 #include "SmoothLoops.h"
 #include "Stopwatch.h"
 #include "TargetLengths.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace crossfield
 {
@@ -38,31 +35,7 @@ EdgeCounts CountsFor(const TMesh& mesh, const SmoothLoops& loops, double size, S
   {
     counts = Quantise(mesh, problem, effort);
   }
-  counts.size = size;
   return counts;
-}
-
-EdgeCounts ComputeCounts(const TMesh& mesh, const MeshTopology& topology,
-  const SurfaceQuadOptions& options, const Progress& progress)
-{
-  const SmoothLoops loops(topology, mesh);
-  if (options.quadSize > 0.0)
-  {
-    return CountsFor(mesh, loops, options.quadSize, SearchEffort::Thorough);
-  }
-  const EdgeCounts found = SearchSize(
-    mesh, options.quadCount, std::sqrt(AreaOf(mesh) / options.quadCount),
-    [&](double size) { return CountsFor(mesh, loops, size, SearchEffort::Quick); }, progress);
-  if (found.optimal)
-  {
-    return found;
-  }
-  EdgeCounts thorough = CountsFor(mesh, loops, found.size, SearchEffort::Thorough);
-  const auto error = [&](const EdgeCounts& counts)
-  {
-    return std::abs(static_cast<double>(CountQuads(mesh, counts.counts)) / options.quadCount - 1.0);
-  };
-  return error(thorough) <= std::max(CountTolerance, error(found)) ? thorough : found;
 }
 
 /// Sets the normals of quads: the mean of those of the triangles at their corners.
@@ -114,7 +87,11 @@ QuadResult MakeSurfaceQuads(
   const MeshTopology& topology = *layout.map.topology;
   QuadResult result;
   result.tMesh = layout.tMesh;
-  result.counts = ComputeCounts(result.tMesh, topology, options, progress.Part(0.0, 0.5));
+  const SmoothLoops loops(topology, result.tMesh);
+  result.counts = SearchCounts(
+    result.tMesh, options.quadSize, options.quadCount, AreaOf(result.tMesh),
+    [&](double size, SearchEffort effort) { return CountsFor(result.tMesh, loops, size, effort); },
+    progress.Part(0.0, 0.5));
   result.size = result.counts.size;
   Stopwatch stopwatch;
   RequireMemory(static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,

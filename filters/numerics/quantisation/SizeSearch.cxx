@@ -86,4 +86,33 @@ EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
   best.seconds = seconds;
   return best;
 }
+
+EdgeCounts SearchCounts(const TMesh& mesh, double size, int requested, double area,
+  const std::function<EdgeCounts(double size, SearchEffort effort)>& countsOf,
+  const Progress& progress)
+{
+  if (size > 0.0)
+  {
+    progress.Report(0.0);
+    EdgeCounts counts = countsOf(size, SearchEffort::Thorough);
+    counts.size = size;
+    return counts;
+  }
+  EdgeCounts found = SearchSize(
+    mesh, requested, std::sqrt(area / requested),
+    [&](double tried) { return countsOf(tried, SearchEffort::Quick); }, progress);
+  if (found.optimal)
+  {
+    return found;
+  }
+  EdgeCounts thorough = countsOf(found.size, SearchEffort::Thorough);
+  thorough.size = found.size;
+  const double error = CountError(mesh, thorough, requested);
+  return error <= CountTolerance || error <= CountError(mesh, found, requested) ? thorough : found;
+}
+
+double CountError(const TMesh& mesh, const EdgeCounts& counts, int requested)
+{
+  return std::abs(static_cast<double>(CountQuads(mesh, counts.counts)) / requested - 1.0);
+}
 }

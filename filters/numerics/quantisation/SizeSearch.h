@@ -1,8 +1,6 @@
 #pragma once
 
-#include "EdgeCounts.h"
-#include "Progress.h"
-#include "TMesh.h"
+#include "Quantisation.h"
 
 #include <functional>
 
@@ -20,4 +18,14 @@ constexpr double CountTolerance = 0.05;
 /// within the jump. `countsOf` returns the edge counts for a size, at most 20 times.
 EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
   const std::function<EdgeCounts(double)>& countsOf, const Progress& progress = {});
+
+/// Returns the counts for a size if it is positive, otherwise those of SearchSize for a number, started at the size of
+/// as many squares of an area. The search uses quick solutions; a thorough one of its size replaces the last of them
+/// unless its number is farther from the requested one.
+EdgeCounts SearchCounts(const TMesh& mesh, double size, int requested, double area,
+  const std::function<EdgeCounts(double size, SearchEffort effort)>& countsOf,
+  const Progress& progress = {});
+
+/// Returns |number of quads / requested number − 1|.
+double CountError(const TMesh& mesh, const EdgeCounts& counts, int requested);
 }

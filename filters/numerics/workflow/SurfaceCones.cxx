@@ -95,15 +95,36 @@ std::vector<PlacedPart> PlaceSingularities(
 /// without an angle.
 void AddCorners(const MeshTopology& topology, std::vector<Cone>& cones)
 {
-  constexpr int Most = 1;
+  constexpr int Maximum = 1;
   for (int i = 0; i < static_cast<int>(topology.mesh.boundary.size()); ++i)
   {
     const int vertex = topology.BoundaryAt(i).vertices[0];
     const auto nearest = static_cast<int>(std::lround(topology.turning[i] / (0.5 * Pi)));
-    const int quarters = std::min(Most, nearest);
+    const int quarters = std::min(Maximum, nearest);
     if (topology.corners[vertex] && quarters != 0)
     {
       cones.push_back({ vertex, quarters, true, -1 });
+    }
+  }
+}
+
+/// Adds the numbers and corners of a part.
+void AddNumbers(const ConedSurface& part, SurfaceCheck& check)
+{
+  const MeshTopology& topology = *part.topology;
+  check.eulerCharacteristic += topology.edges.EulerCharacteristic(topology.mesh);
+  check.requiredQuarters += part.RequiredQuarters();
+  check.givenQuarters += part.GivenQuarters();
+  check.totalCurvature += topology.charts->curvature.sum() / (2.0 * Pi);
+  check.tangentTurning += topology.turning.sum() / (2.0 * Pi);
+  const std::vector<int> quarters = QuartersOfVertices(topology, part.cones);
+  for (int i = 0; i < static_cast<int>(topology.mesh.boundary.size()); ++i)
+  {
+    const int vertex = topology.BoundaryAt(i).vertices[0];
+    if (quarters[vertex] != 0)
+    {
+      check.corners.push_back(
+        { topology.PositionOf(vertex), Pi - topology.turning[i], quarters[vertex] });
     }
   }
 }
@@ -158,6 +179,10 @@ ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingulari
 SurfaceCheck CheckSurface(const ConedSurfaces& surfaces)
 {
   SurfaceCheck check;
+  for (const ConedSurface& part : surfaces.parts)
+  {
+    AddNumbers(part, check);
+  }
   for (std::size_t p = 0; p < surfaces.parts.size(); ++p)
   {
     if (surfaces.parts[p].GivenQuarters() != surfaces.parts[p].RequiredQuarters())

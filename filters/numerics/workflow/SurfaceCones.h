@@ -47,11 +47,25 @@ ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingulari
 /// Returns one sentence about the sums of quarter indices.
 std::string DescribeQuarters(const ConedSurface& part);
 
-/// Whether a field with given singularities exists on a surface, and why.
+/// A corner of the boundary of a surface with a quarter index.
+struct SurfaceCorner
+{
+  SpacePoint place = SpacePoint::Zero();
+  double angle = 0.0; ///< Inside, radians.
+  int quarterIndex = 0;
+};
+
+/// Whether a field with given singularities exists on a surface, and why. Numbers are sums over the parts.
 struct SurfaceCheck
 {
   bool consistent = false;
   std::string reason; ///< One sentence.
+  int eulerCharacteristic = 0;
+  int requiredQuarters = 0;
+  int givenQuarters = 0;
+  double totalCurvature = 0.0; ///< Σ K / 2π.
+  double tangentTurning = 0.0; ///< Σ τ / 2π; with the curvature it adds up to χ.
+  std::vector<SurfaceCorner> corners;
   /// Of each part, one after the other; empty unless consistent.
   std::vector<double> holonomyDefect;
 };

@@ -11,11 +11,13 @@
 #include "UsedPoints.h"
 #include "vtkCrossFieldArrayNames.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -28,6 +30,26 @@
 #include <cmath>
 #include <string>
 #include <utility>
+
+namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+/** Writes a vertex for each item at its place in space. */
+template <class Item, class Place>
+void WritePlaces(const std::vector<Item>& items, vtkPolyData* output, Place place)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  for (const Item& item : items)
+  {
+    vertices->InsertNextCell({ points->InsertNextPoint(place(item).data()) });
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+}
+}
 
 namespace SurfaceConversion
 {
@@ -113,10 +135,10 @@ const crossfield::ConedSurface& Single(const crossfield::ConedSurfaces& surfaces
 }
 
 //------------------------------------------------------------------------------
-void WriteField(const crossfield::MeshTopology& topology, const crossfield::SurfaceField& field,
+void WriteField(const crossfield::ConedSurface& surface, const crossfield::SurfaceField& field,
   vtkUnstructuredGrid* output)
 {
-  namespace names = vtkCrossFieldArrayNames;
+  const crossfield::MeshTopology& topology = *surface.topology;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   const vtkIdType vertices = topology.VertexCount();
@@ -148,13 +170,15 @@ void WriteField(const crossfield::MeshTopology& topology, const crossfield::Surf
   }
   ColumnWriting::AddNumbers(output->GetFieldData(), names::HolonomyDefect, field.holonomyDefect);
   ColumnWriting::AddIntegers(output->GetFieldData(), names::Converged, { 1 });
-  ColumnWriting::AddIntegers(output->GetFieldData(), names::UnwantedSingularities, { 0 });
+  ColumnWriting::AddIntegers(output->GetFieldData(), names::UnwantedSingularities,
+    { crossfield::CountUnwanted(
+      topology, field.angle, crossfield::QuartersOfVertices(topology, surface.cones)) });
 }
 
 //------------------------------------------------------------------------------
 Crosses ReadCrosses(vtkUnstructuredGrid* input)
 {
-  vtkDataArray* cross = input->GetCellData()->GetArray(vtkCrossFieldArrayNames::Cross);
+  vtkDataArray* cross = input->GetCellData()->GetArray(names::Cross);
   if (cross == nullptr || cross->GetNumberOfComponents() != 3)
   {
     throw crossfield::Error(
@@ -180,21 +204,38 @@ Crosses ReadCrosses(vtkUnstructuredGrid* input)
     });
   Crosses result;
   result.topology = std::make_shared<const crossfield::SurfaceTopology>(std::move(surface));
-  result.angle.resize(result.topology->TriangleCount());
-  for (int t = 0; t < result.topology->TriangleCount(); ++t)
-  {
-    const auto& v = result.topology->mesh.triangles[t];
-    const crossfield::SpacePoint side =
-      result.topology->PositionOf(v[1]) - result.topology->PositionOf(v[0]);
-    const crossfield::SpacePoint across = result.topology->NormalOf(t).cross(side);
-    const double angle = std::atan2(directions[t].dot(across), directions[t].dot(side));
-    if (!std::isfinite(angle) || directions[t].isZero())
-    {
-      throw crossfield::Error(
-        "The array 'Cross' has no direction on triangle " + std::to_string(t) + "; correct it.");
-    }
-    result.angle[t] = angle + result.topology->DirectionOf(t, 0);
-  }
+  result.angle = crossfield::AnglesInCharts(*result.topology, directions);
   return result;
+}
+
+//------------------------------------------------------------------------------
+void WriteSingularities(const crossfield::MeshTopology& topology,
+  const std::vector<crossfield::VertexSingularity>& singularities, vtkPolyData* output)
+{
+  using Singularity = crossfield::VertexSingularity;
+  WritePlaces(singularities, output,
+    [&topology](const Singularity& one) { return topology.PositionOf(one.vertex); });
+  vtkPointData* data = output->GetPointData();
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::QuarterIndex, singularities,
+    [](const Singularity& one) { return one.quarterIndex; });
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::BoundaryKind, singularities,
+    [&topology](const Singularity& one)
+    { return one.loop < 0 ? 0 : static_cast<int>(topology.loops[one.loop].kind); });
+  ColumnWriting::AddColumn<vtkIntArray>(
+    data, names::BoundaryId, singularities, [](const Singularity& one) { return one.loop; });
+}
+
+//------------------------------------------------------------------------------
+void WriteCorners(const std::vector<crossfield::SurfaceCorner>& corners, vtkPolyData* output)
+{
+  using Corner = crossfield::SurfaceCorner;
+  WritePlaces(corners, output, [](const Corner& corner) { return corner.place; });
+  vtkPointData* data = output->GetPointData();
+  ColumnWriting::AddColumn<vtkDoubleArray>(
+    data, names::Angle, corners, [](const Corner& corner) { return corner.angle; });
+  ColumnWriting::AddColumn<vtkIntArray>(
+    data, names::QuarterIndex, corners, [](const Corner& corner) { return corner.quarterIndex; });
+  ColumnWriting::AddColumn<vtkIntArray>(
+    data, names::Cancellable, corners, [](const Corner&) { return 0; });
 }
 }

@@ -2,12 +2,14 @@
 #define SurfaceConversion_h
 
 #include "SurfaceField.h"
+#include "SurfaceIndices.h"
 #include "SurfaceQuadWorkflow.h"
 
 #include <memory>
 #include <vector>
 
 class vtkDataSet;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 /** Conversion of surfaces in space between VTK data and numerics. Every function throws crossfield::Error. */
@@ -32,7 +34,7 @@ const crossfield::ConedSurface& Single(const crossfield::ConedSurfaces& surfaces
  * Writes the triangles of a surface with `H` and `SizeMap` (points), `Cross` and `Cross2` (cells) and the field data
  * `HolonomyDefect`, `Converged` and `UnwantedSingularities` of vtkHField.
  */
-void WriteField(const crossfield::MeshTopology& topology, const crossfield::SurfaceField& field,
+void WriteField(const crossfield::ConedSurface& surface, const crossfield::SurfaceField& field,
   vtkUnstructuredGrid* output);
 
 /** Crosses of the triangles of a surface. */
@@ -44,6 +46,13 @@ struct Crosses
 
 /** Reads triangles, without merging points, with the cell array `Cross` along the surface. */
 Crosses ReadCrosses(vtkUnstructuredGrid* input);
+
+/** Writes singularities of a field with the arrays of vtkCrossFieldSingularities. */
+void WriteSingularities(const crossfield::MeshTopology& topology,
+  const std::vector<crossfield::VertexSingularity>& singularities, vtkPolyData* output);
+
+/** Writes corners with the arrays of vtkPoincareHopfCheck. */
+void WriteCorners(const std::vector<crossfield::SurfaceCorner>& corners, vtkPolyData* output);
 
 /** Returns points with the array `QuarterIndex`; a null pointer gives none. */
 std::vector<crossfield::SurfaceSingularity> ReadSingularities(vtkDataSet* input);

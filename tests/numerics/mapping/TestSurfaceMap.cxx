@@ -16,17 +16,6 @@ std::shared_ptr<const SurfaceTopology> TopologyOf(const SurfaceMesh& surface)
   return std::make_shared<const SurfaceTopology>(surface);
 }
 
-/// Cones of index 1 at the first vertices.
-std::vector<Cone> ConesAtFirst(int count)
-{
-  std::vector<Cone> cones;
-  for (int vertex = 0; vertex < count; ++vertex)
-  {
-    cones.push_back({ vertex, 1, false, vertex });
-  }
-  return cones;
-}
-
 TMesh TMeshOf(const SeamlessMap& map)
 {
   return MakeTMesh(map, TraceSeparatrices(map));
@@ -44,7 +33,8 @@ TEST(SurfaceMap, OfTheSphereHasTheFacesOfACube)
 {
   for (const int n : { 4, 12 })
   {
-    const SeamlessMap map = SolveSurfaceMap(TopologyOf(CubedSphere(n)), ConesAtFirst(8));
+    const SurfaceMesh sphere = CubedSphere(n);
+    const SeamlessMap map = SolveSurfaceMap(TopologyOf(sphere), ConesOfCube(sphere));
     const TMesh mesh = TMeshOf(map);
     EXPECT_EQ(mesh.patches.size(), 6u);
     ASSERT_EQ(mesh.arcs.size(), 12u);
@@ -59,14 +49,7 @@ TEST(SurfaceMap, OfTheHemisphereHasFiveFaces)
 {
   // The first four corners of the cube in the upper half; its boundary has no corners.
   const SurfaceMesh half = Hemisphere(12);
-  std::vector<Cone> cones;
-  for (int vertex = 0; vertex < static_cast<int>(half.points.size()); ++vertex)
-  {
-    if ((half.points[vertex].cwiseAbs().array() - std::sqrt(1.0 / 3.0)).abs().maxCoeff() < 1e-9)
-    {
-      cones.push_back({ vertex, 1, false, static_cast<int>(cones.size()) });
-    }
-  }
+  const std::vector<Cone> cones = ConesOfCube(half);
   ASSERT_EQ(cones.size(), 4u);
   const auto topology = TopologyOf(half);
   const TMesh mesh = TMeshOf(SolveSurfaceMap(topology, cones));
@@ -111,11 +94,7 @@ TEST(SurfaceMap, IsThatOfThePlaneWhenAMeshIsBent)
 {
   constexpr int N = 12;
   const TriangleMesh mesh = GridOfSquare(N);
-  std::vector<Cone> cones = { { 4 * (N + 1) + 5, 1, false, 0 }, { 8 * (N + 1) + 7, -1, false, 1 } };
-  for (const int corner : { 0, N, N * (N + 1), (N + 1) * (N + 1) - 1 })
-  {
-    cones.push_back({ corner, 1, true, -1 });
-  }
+  const std::vector<Cone> cones = ConesOfSquare(N);
   const TMesh planar = TMeshOf(SolveSurfaceMap(ShareTopology(mesh), cones));
   const TMesh bent = TMeshOf(SolveSurfaceMap(TopologyOf(BentAtRandom(mesh, N, 555)), cones));
   EXPECT_EQ(planar.patches.size(), bent.patches.size());
@@ -169,12 +148,14 @@ TEST(SurfaceMap, SharesOutWhatDoesNotCloseAroundHandles)
 TEST(SurfaceMap, RefusesWhatNoMapHas)
 {
   const SurfaceMesh sphere = CubedSphere(4);
-  std::vector<Cone> cones = ConesAtFirst(6);
+  std::vector<Cone> cones = ConesOfCube(sphere);
+  cones.pop_back();
+  EXPECT_TRUE(
+    Refuses([&] { SolveSurfaceMap(TopologyOf(sphere), cones); }, { "add up to 7", "4χ = 8" }));
+  cones.pop_back();
   cones.front().quarterIndex = 3;
   EXPECT_TRUE(Refuses([&] { SolveSurfaceMap(TopologyOf(sphere), cones); },
     { "The singularity at (", "quarter index 3" }));
-  EXPECT_TRUE(Refuses(
-    [&] { SolveSurfaceMap(TopologyOf(sphere), ConesAtFirst(7)); }, { "add up to 7", "4χ = 8" }));
   const std::vector<Cone> sharp = { { 0, 2, true, -1 } };
   EXPECT_TRUE(Refuses([&] { SolveSurfaceMap(ShareTopology(GridOfSquare(4)), sharp); },
     { "The corner at (0, 0)", "quarter index 2", "choose index 1" }));

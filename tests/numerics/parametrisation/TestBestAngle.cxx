@@ -1,5 +1,5 @@
 #include "BestAngle.h"
-#include "ConeWays.h"
+#include "ConeVectors.h"
 #include "Support.h"
 #include "SurfaceMap.h"
 #include "SurfaceTopology.h"
@@ -15,16 +15,6 @@ namespace crossfield::test
 {
 namespace
 {
-std::vector<Cone> ConesOfCube()
-{
-  std::vector<Cone> cones;
-  for (int vertex = 0; vertex < 8; ++vertex)
-  {
-    cones.push_back({ vertex, 1, false, vertex });
-  }
-  return cones;
-}
-
 /// The same triangles in another order, each beginning with another corner: other crosses without BestAngle.
 SurfaceMesh Shuffled(SurfaceMesh surface, unsigned seed)
 {
@@ -58,7 +48,7 @@ TEST(BestAngle, LeadsLinesOfTheSphereToSingularities)
   {
     const SurfaceMesh sphere = Shuffled(CubedSphere(8), seed);
     const SeamlessMap map =
-      SolveSurfaceMap(std::make_shared<const SurfaceTopology>(sphere), ConesOfCube());
+      SolveSurfaceMap(std::make_shared<const SurfaceTopology>(sphere), ConesOfCube(sphere));
     EXPECT_NEAR(BestAngle(map), 0.0, 1e-9);
     EXPECT_EQ(MakeTMesh(map, TraceSeparatrices(map)).patches.size(), 6u);
   }
@@ -66,9 +56,10 @@ TEST(BestAngle, LeadsLinesOfTheSphereToSingularities)
 
 TEST(BestAngle, FollowsTheMap)
 {
-  const auto sphere = std::make_shared<const SurfaceTopology>(CubedSphere(8));
+  const SurfaceMesh sphere = CubedSphere(8);
   const auto torus = std::make_shared<const SurfaceTopology>(Shuffled(Torus(2.5, 30, 12), 7));
-  const SeamlessMap ofSphere = SolveSurfaceMap(sphere, ConesOfCube());
+  const SeamlessMap ofSphere =
+    SolveSurfaceMap(std::make_shared<const SurfaceTopology>(sphere), ConesOfCube(sphere));
   const SeamlessMap ofTorus = SolveSurfaceMap(torus, {});
   EXPECT_NEAR(BestAngle(ofTorus), 0.0, 1e-9);
   for (const double angle : { -0.7, -0.2, 0.1, 0.6 })
@@ -78,18 +69,19 @@ TEST(BestAngle, FollowsTheMap)
   }
 }
 
-TEST(ConeWays, OfTheSphereAreTheEdgesAndDiagonalsOfACube)
+TEST(ConeVectors, OfTheSphereAreTheEdgesAndDiagonalsOfACube)
 {
+  const SurfaceMesh sphere = CubedSphere(8);
   const SeamlessMap map =
-    SolveSurfaceMap(std::make_shared<const SurfaceTopology>(CubedSphere(8)), ConesOfCube());
+    SolveSurfaceMap(std::make_shared<const SurfaceTopology>(sphere), ConesOfCube(sphere));
   const double edge = std::sqrt(map.topology->Area() / 6.0);
   int edges = 0;
   int diagonals = 0;
-  for (const Point& way : WaysBetweenCones(map))
+  for (const Point& vector : VectorsBetweenCones(map))
   {
-    const bool isEdge = std::abs(way.norm() - edge) < 1e-9;
-    const bool isDiagonal = std::abs(way.norm() - std::sqrt(2.0) * edge) < 1e-9;
-    EXPECT_TRUE(isEdge || isDiagonal) << way.norm() / edge;
+    const bool isEdge = std::abs(vector.norm() - edge) < 1e-9;
+    const bool isDiagonal = std::abs(vector.norm() - std::sqrt(2.0) * edge) < 1e-9;
+    EXPECT_TRUE(isEdge || isDiagonal) << vector.norm() / edge;
     edges += isEdge ? 1 : 0;
     diagonals += isDiagonal ? 1 : 0;
   }
@@ -97,15 +89,15 @@ TEST(ConeWays, OfTheSphereAreTheEdgesAndDiagonalsOfACube)
   EXPECT_LE(diagonals, 12); // cells of opposite corners of a face touch in a point
 }
 
-TEST(ConeWays, OfTheTorusGoAroundBothCircles)
+TEST(ConeVectors, OfTheTorusGoAroundBothCircles)
 {
   constexpr double R = 2.5;
   const SeamlessMap map =
     SolveSurfaceMap(std::make_shared<const SurfaceTopology>(Torus(R, 60, 24)), {});
   std::vector<double> lengths;
-  for (const Point& way : WaysBetweenCones(map))
+  for (const Point& vector : VectorsBetweenCones(map))
   {
-    lengths.push_back(way.norm());
+    lengths.push_back(vector.norm());
   }
   std::sort(lengths.begin(), lengths.end());
   ASSERT_GE(lengths.size(), 2u);

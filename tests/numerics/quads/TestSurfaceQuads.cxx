@@ -6,6 +6,7 @@
 #include "TMeshPatches.h"
 #include "VertexPotential.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -22,23 +23,12 @@ Layout LayOutSurface(const SurfaceMesh& surface, const std::vector<Cone>& cones)
   return layout;
 }
 
-/// Cones of index 1 at the corners of the cube.
-std::vector<Cone> ConesOfCube()
-{
-  std::vector<Cone> cones;
-  for (int vertex = 0; vertex < 8; ++vertex)
-  {
-    cones.push_back({ vertex, 1, false, vertex });
-  }
-  return cones;
-}
-
 TEST(SurfaceQuads, OfTheSphereAreThoseOfACube)
 {
+  const SurfaceMesh sphere = CubedSphere(12);
   SurfaceQuadOptions options;
   options.quadCount = 600;
-  const QuadResult result =
-    MakeSurfaceQuads(LayOutSurface(CubedSphere(12), ConesOfCube()), options);
+  const QuadResult result = MakeSurfaceQuads(LayOutSurface(sphere, ConesOfCube(sphere)), options);
   EXPECT_EQ(result.mesh.quads.size(), 600u);
   EXPECT_EQ(result.blocks.blocks.size(), 6u);
   EXPECT_EQ(result.mesh.EulerCharacteristic(), 2);
@@ -74,14 +64,7 @@ TEST(SurfaceQuads, OfTheTorusHaveNoIrregularNode)
 TEST(SurfaceQuads, OfAHemisphereHaveOneSide)
 {
   const SurfaceMesh half = Hemisphere(12);
-  std::vector<Cone> cones;
-  for (int vertex = 0; vertex < static_cast<int>(half.points.size()); ++vertex)
-  {
-    if ((half.points[vertex].cwiseAbs().array() - std::sqrt(1.0 / 3.0)).abs().maxCoeff() < 1e-9)
-    {
-      cones.push_back({ vertex, 1, false, static_cast<int>(cones.size()) });
-    }
-  }
+  const std::vector<Cone> cones = ConesOfCube(half);
   SurfaceQuadOptions options;
   options.quadCount = 300;
   const QuadResult result = MakeSurfaceQuads(LayOutSurface(half, cones), options);
@@ -99,11 +82,7 @@ TEST(SurfaceQuads, AreThoseOfThePlaneWhenAMeshIsBent)
 {
   constexpr int N = 12;
   const TriangleMesh mesh = GridOfSquare(N);
-  std::vector<Cone> cones = { { 4 * (N + 1) + 5, 1, false, 0 }, { 8 * (N + 1) + 7, -1, false, 1 } };
-  for (const int corner : { 0, N, N * (N + 1), (N + 1) * (N + 1) - 1 })
-  {
-    cones.push_back({ corner, 1, true, -1 });
-  }
+  const std::vector<Cone> cones = ConesOfSquare(N);
   SurfaceMesh flat;
   flat.points = InSpace(mesh.points);
   flat.triangles = mesh.triangles;
@@ -227,11 +206,66 @@ TEST(SurfaceQuads, OfRandomSingularitiesOnATorusHaveTheirValences)
   EXPECT_EQ(made, 5);
 }
 
+TEST(SurfaceQuads, HaveSidesBetweenCorners)
+{
+  // The upper side of a box with a hole: a square in a square.
+  SurfaceMesh sheet;
+  const SurfaceMesh box = BoxWithHoles(1, 3);
+  std::vector<int> number(box.points.size(), -1);
+  for (auto triangle : box.triangles)
+  {
+    if (std::any_of(triangle.begin(), triangle.end(),
+          [&box](int vertex) { return box.points[vertex].z() < 1.0; }))
+    {
+      continue;
+    }
+    for (int& vertex : triangle)
+    {
+      int& own = number[vertex];
+      if (own < 0)
+      {
+        own = static_cast<int>(sheet.points.size());
+        sheet.points.push_back(box.points[vertex]);
+      }
+      vertex = own;
+    }
+    sheet.triangles.push_back(triangle);
+  }
+  const SurfaceTopology topology(sheet);
+  std::vector<Cone> cones;
+  for (int i = 0; i < static_cast<int>(topology.turning.size()); ++i)
+  {
+    const auto quarters = static_cast<int>(std::lround(topology.turning[i] / (0.5 * Pi)));
+    if (quarters != 0)
+    {
+      cones.push_back({ topology.BoundaryAt(i).vertices[0], quarters, true, -1 });
+    }
+  }
+  ASSERT_EQ(cones.size(), 8u);
+  SurfaceQuadOptions options;
+  options.quadSize = 0.25;
+  const QuadMesh mesh = MakeSurfaceQuads(LayOutSurface(sheet, cones), options).mesh;
+  EXPECT_EQ(mesh.sideNames,
+    (std::vector<std::string>{
+      "outer0", "outer1", "outer2", "outer3", "hole0", "hole1", "hole2", "hole3" }));
+  std::vector<int> edges(8, 0);
+  for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
+  {
+    const QuadBoundaryEdge& edge = mesh.boundary[e];
+    ++edges[edge.side];
+    const bool isFirst = e == 0 || mesh.boundary[e - 1].side != edge.side;
+    EXPECT_EQ(isFirst, mesh.points[edge.points[0]].quarterIndex != 0);
+    EXPECT_TRUE(isFirst || mesh.boundary[e - 1].points[1] == edge.points[0]);
+  }
+  EXPECT_EQ(edges, (std::vector<int>{ 12, 12, 12, 12, 4, 4, 4, 4 }));
+}
+
 TEST(SurfaceQuads, RefuseNoSize)
 {
+  const SurfaceMesh sphere = CubedSphere(4);
   SurfaceQuadOptions options;
   options.quadCount = 0;
-  const Layout layout = LayOutSurface(CubedSphere(4), ConesOfCube());
+  const Layout layout = LayOutSurface(sphere, ConesOfCube(sphere));
   EXPECT_TRUE(Refuses([&] { MakeSurfaceQuads(layout, options); }, { "positive" }));
 }
 }

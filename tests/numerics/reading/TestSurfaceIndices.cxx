@@ -13,16 +13,8 @@ namespace
 /// Returns crosses along the projections of a direction in space to the triangles.
 Eigen::VectorXd Along(const MeshTopology& topology, const SpacePoint& direction)
 {
-  Eigen::VectorXd angle(topology.TriangleCount());
-  for (int t = 0; t < topology.TriangleCount(); ++t)
-  {
-    const auto& v = topology.mesh.triangles[t];
-    const SpacePoint first = (topology.PositionOf(v[1]) - topology.PositionOf(v[0]))
-                               .normalized(); // the first axis of the chart
-    const SpacePoint second = topology.NormalOf(t).cross(first);
-    angle[t] = std::atan2(direction.dot(second), direction.dot(first));
-  }
-  return angle;
+  return AnglesInCharts(
+    topology, std::vector<SpacePoint>(topology.mesh.triangles.size(), direction));
 }
 
 int SumOf(const std::vector<int>& quarters)
@@ -61,11 +53,17 @@ TEST(SurfaceIndices, OfAnyFieldAddUp)
     {
       one = random.Uniform(-Pi, Pi);
     }
-    std::vector<int> quarters = ReadSurfaceIndices(topology, angle);
+    const std::vector<int> quarters = ReadSurfaceIndices(topology, angle);
     const int sum = 4 * topology.edges.EulerCharacteristic(topology.mesh);
     EXPECT_EQ(SumOf(quarters), sum);
-    JoinNeighbours(topology, quarters);
-    EXPECT_EQ(SumOf(quarters), sum);
+    EXPECT_EQ(CountUnwanted(topology, angle, quarters), 0);
+    int found = 0;
+    for (const VertexSingularity& one : FindSurfaceSingularities(topology, angle, true))
+    {
+      found += one.quarterIndex;
+      EXPECT_NE(one.quarterIndex, 0);
+    }
+    EXPECT_EQ(found, sum);
   }
 }
 
@@ -87,6 +85,18 @@ TEST(SurfaceIndices, OfAFieldAlongTheSidesAreAtItsCorners)
     const bool isCorner = v == 0 || v == N || v == N * (N + 1) || v == (N + 1) * (N + 1) - 1;
     EXPECT_EQ(quarters[v], isCorner ? 1 : 0) << v;
   }
+  EXPECT_EQ(FindSurfaceSingularities(topology, angle, true).size(), 4u);
+  EXPECT_TRUE(FindSurfaceSingularities(topology, angle, false).empty());
+  std::vector<int> others = quarters;
+  others[N + 5] = 1;
+  EXPECT_EQ(CountUnwanted(topology, angle, others), 1);
+}
+
+TEST(SurfaceIndices, NeedDirectionsAlongTheSurface)
+{
+  const SurfaceTopology topology(BentAtRandom(GridOfSquare(2), 2, 573));
+  EXPECT_TRUE(Refuses([&] { Along(topology, SpacePoint::Zero()); },
+    { "The cross on the triangle at (", "no direction" }));
 }
 }
 }

@@ -1,4 +1,4 @@
-#include "ConeWays.h"
+#include "ConeVectors.h"
 
 #include <algorithm>
 #include <map>
@@ -57,8 +57,8 @@ public:
     this->Grow();
   }
 
-  /// Returns the vectors from cones to others whose cells border on theirs.
-  std::vector<Point> Ways() const
+  /// Returns the vectors between cones whose triangles share an edge.
+  std::vector<Point> Vectors() const
   {
     std::map<std::pair<int, int>, std::vector<Point>> found;
     for (int t = 0; t < this->Map.topology->TriangleCount(); ++t)
@@ -74,16 +74,16 @@ public:
         }
       }
     }
-    std::vector<Point> ways;
+    std::vector<Point> all;
     for (const auto& [cones, vectors] : found)
     {
-      ways.insert(ways.end(), vectors.begin(), vectors.end());
+      all.insert(all.end(), vectors.begin(), vectors.end());
     }
-    return ways;
+    return all;
   }
 
 private:
-  /// A triangle that a cone may get.
+  /// A triangle with a cone that it may belong to.
   struct Claim
   {
     double distance;
@@ -135,7 +135,7 @@ private:
   /// Adds a vector to a list unless it is there.
   void Add(const Point& vector, std::vector<Point>& list) const
   {
-    if (!(vector.norm() > this->Rounding)) // within a cell
+    if (!(vector.norm() > this->Rounding)) // of two triangles of the same unfolding
     {
       return;
     }
@@ -159,8 +159,8 @@ private:
 };
 }
 
-std::vector<Point> WaysBetweenCones(const SeamlessMap& map)
+std::vector<Point> VectorsBetweenCones(const SeamlessMap& map)
 {
-  return map.cones.empty() ? std::vector<Point>() : ConeCells(map).Ways();
+  return map.cones.empty() ? std::vector<Point>() : ConeCells(map).Vectors();
 }
 }
