@@ -1,6 +1,7 @@
 #include "SurfaceMap.h"
 
 #include "Error.h"
+#include "FlatMetric.h"
 #include "InjectivityCheck.h"
 #include "PoincareHopf.h"
 #include "SurfaceFrames.h"
@@ -49,10 +50,19 @@ SeamlessMap SolveSurfaceMap(
   SurfaceFrames solved = SolveSurfaceFrames(topology, cones, progress.Part(0.0, 0.3));
   const TriangleFrames& frames = solved.frames;
   SeamlessMap map = SolveTargets(
-    { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 1.0));
+    { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 0.6));
   if (const auto fault = FindFault(map))
   {
-    Refuse(*topology, *fault, solved.holonomyDefect);
+    FlattenedTargets flat = FlattenFrames(*topology, frames, cones, progress.Part(0.6, 0.8));
+    if (flat.report.converged)
+    {
+      map = SolveTargets(std::move(flat.targets), cones, progress.Part(0.8, 1.0));
+      map.flattening = flat.report;
+    }
+    if (!flat.report.converged || FindFault(map))
+    {
+      Refuse(*topology, *fault, solved.holonomyDefect);
+    }
   }
   map.holonomyDefect = std::move(solved.holonomyDefect);
   if (map.cones.empty() && topology->loops.empty())

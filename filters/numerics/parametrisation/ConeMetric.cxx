@@ -3,6 +3,8 @@
 #include "Error.h"
 #include "Index.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,12 +38,16 @@ MetricAngles AnglesFromLogLengths(const std::array<double, 3>& logs)
 
 ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::array<int, 3>>& jumps,
   const std::vector<Cone>& cones)
-  : Positions(topology.mesh.points)
+  : InPlane(!topology.charts)
   , AllTriangles(topology.mesh.triangles.size())
   , BoundaryEdges(topology.mesh.boundary)
   , BoundarySides(topology.mesh.boundary.size())
   , Quarters(topology.mesh.points.size(), 4)
 {
+  for (int v = 0; v < topology.VertexCount(); ++v)
+  {
+    this->Positions.push_back(topology.PositionOf(v));
+  }
   std::vector<int> entries(Index(topology.edges.Count()), -1);
   for (int i = 0; i < static_cast<int>(this->BoundaryEdges.size()); ++i)
   {
@@ -75,6 +81,21 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
     this->Starts.push_back(loop.edges.front());
     this->PropagateDirections(loop.edges.front());
   }
+}
+
+TriangleMesh ConeMetric::Triangulation() const
+{
+  TriangleMesh mesh;
+  for (const SpacePoint& point : this->Positions)
+  {
+    mesh.points.emplace_back(point.head<2>());
+  }
+  for (const Triangle& triangle : this->AllTriangles)
+  {
+    mesh.triangles.push_back(triangle.vertices);
+  }
+  mesh.boundary = this->BoundaryEdges;
+  return mesh;
 }
 
 double ConeMetric::Length(int edge) const
@@ -120,12 +141,13 @@ double ConeMetric::AreaOf(int triangle) const
     std::sin(this->AnglesOf(triangle).angle[0]);
 }
 
-double ConeMetric::PlanarAngleOf(int triangle, int corner) const
+double ConeMetric::AngleOnSurface(int triangle, int corner) const
 {
   const auto& v = this->AllTriangles[triangle].vertices;
-  const Point& apex = this->Positions[v[corner]];
-  return AngleBetween(this->Positions[v[NextSide(corner)]] - apex,
-    this->Positions[v[NextSide(NextSide(corner))]] - apex);
+  const SpacePoint& apex = this->Positions[v[corner]];
+  const SpacePoint next = this->Positions[v[NextSide(corner)]] - apex;
+  const SpacePoint last = this->Positions[v[NextSide(NextSide(corner))]] - apex;
+  return std::atan2(next.cross(last).norm(), next.dot(last));
 }
 
 ConeMetric::Side ConeMetric::Across(Side side) const
@@ -180,7 +202,7 @@ void ConeMetric::PropagateDirections(int entry)
       if ((direction - directionAt(entry)) % 4 != 0)
       {
         throw Error("The crosses do not close around the boundary loop through " +
-          Describe(this->Positions[vertex]) +
+          DescribePlace(this->Positions[vertex]) +
           ": the quarter indices of its corners and of the singularities contradict each other; "
           "use a finer mesh.");
       }

@@ -25,7 +25,7 @@ inline int NextSide(int side)
 /// vertex i. Those of a triangle that violates the triangle inequality are 0 and π.
 MetricAngles AnglesFromLogLengths(const std::array<double, 3>& logs);
 
-/// A piecewise flat metric on a triangulation of a planar domain (docs/method.md §12.4): a length
+/// A piecewise flat metric on a triangulation of a domain or surface (docs/method.md §12.4, §22.9): a length
 /// per edge, and the integers of the crosses, which are parallel to the axes of a chart on every
 /// triangle.
 ///
@@ -33,7 +33,7 @@ MetricAngles AnglesFromLogLengths(const std::array<double, 3>& logs);
 /// side in the chart of its triangle, the same side in the neighbour's chart has direction
 /// ψ + π + jump · π/2; on the boundary the direction should be jump · π/2.
 ///
-/// Flips and splits change neither the metric nor the planar domain.
+/// Flips and splits change neither the metric nor the domain.
 class ConeMetric
 {
 public:
@@ -58,9 +58,12 @@ public:
   ConeMetric(const MeshTopology& topology, const std::vector<std::array<int, 3>>& jumps,
     const std::vector<Cone>& cones);
 
-  const std::vector<Point>& Points() const { return this->Positions; }
+  const std::vector<SpacePoint>& Points() const { return this->Positions; }
+  bool IsInPlane() const { return this->InPlane; }
   const std::vector<Triangle>& Triangles() const { return this->AllTriangles; }
   const std::vector<BoundaryEdge>& Boundary() const { return this->BoundaryEdges; }
+  /// Returns the triangulation with x and y of its points, which say nothing on a surface.
+  TriangleMesh Triangulation() const;
   /// Returns the side of a triangle at an entry of Boundary().
   Side AtBoundary(int entry) const { return this->BoundarySides[entry]; }
   /// Returns the logarithms of the lengths of all edges.
@@ -68,7 +71,7 @@ public:
   void SetLogLengths(std::vector<double> logs);
   /// Returns the angle that a vertex should have, in quarter turns.
   int QuartersAt(int vertex) const { return this->Quarters[vertex]; }
-  /// Returns entries of Boundary() on the outer loop and on every inner loop.
+  /// Returns entries of Boundary() on the outer loop and on every inner loop; none if there is no boundary.
   const std::vector<int>& LoopStarts() const { return this->Starts; }
 
   double Length(int edge) const;
@@ -77,8 +80,8 @@ public:
   bool IsValid() const;
   /// Returns the area of a triangle in the metric.
   double AreaOf(int triangle) const;
-  /// Returns the angle of a corner of a triangle in the plane.
-  double PlanarAngleOf(int triangle, int corner) const;
+  /// Returns the angle of a corner of a triangle on the surface.
+  double AngleOnSurface(int triangle, int corner) const;
   /// Returns the side of the neighbour across a side.
   Side Across(Side side) const;
 
@@ -88,7 +91,7 @@ public:
   /// Returns the logarithm of the length of the other diagonal of the quadrilateral of two triangles.
   double LogOtherDiagonal(Side side) const;
   /// Replaces the edge between two triangles by the other diagonal of their quadrilateral, which
-  /// must be convex in the metric and in the plane.
+  /// must be convex in the metric and on the surface, where it must be flat.
   void Flip(Side side);
   /// Divides an edge, and the triangles at it, at a fraction of its length from the first vertex of
   /// the side.
@@ -106,7 +109,8 @@ private:
   /// Returns the boundary entry that follows on its loop, and the jumps between their triangles.
   std::pair<int, int> NextOnLoop(int entry) const;
 
-  std::vector<Point> Positions;
+  const bool InPlane;
+  std::vector<SpacePoint> Positions;
   std::vector<Triangle> AllTriangles;
   std::vector<BoundaryEdge> BoundaryEdges;
   std::vector<Side> BoundarySides;

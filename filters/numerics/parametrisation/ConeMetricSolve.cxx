@@ -27,7 +27,7 @@ class LaplacianSolve
 {
 public:
   explicit LaplacianSolve(const MetricDerivatives& derivatives)
-    : Factor(derivatives.Laplacian(), InSpace(derivatives.GetMetric().Points()), {}, { 0 })
+    : Factor(derivatives.Laplacian(), derivatives.GetMetric().Points(), {}, { 0 })
   {
   }
 
@@ -108,7 +108,7 @@ private:
       const Eigen::MatrixXd potentials = solutions.rightCols(loops);
       const Eigen::VectorXd strain =
         this->Strain(HolomorphicStrains(derivatives, alignment, potentials),
-          alignment.defects + potentials.transpose() * angles, progress);
+          alignment.defects + potentials.transpose() * angles, alignment.HasHandles(), progress);
       change +=
         strain - ConformalChanges(this->Metric, solve(derivatives.AngleSumChanges(strain)).col(0));
     }
@@ -117,8 +117,8 @@ private:
 
   /// Returns the strain that corrects the directions of loops, limited to what a linear model is
   /// good for. `defects` are those that conformal changes leave.
-  Eigen::VectorXd Strain(
-    const HolomorphicStrains& basis, Eigen::VectorXd defects, const Progress& progress)
+  Eigen::VectorXd Strain(const HolomorphicStrains& basis, Eigen::VectorXd defects, bool hasHandles,
+    const Progress& progress)
   {
     if (defects.lpNorm<Eigen::Infinity>() <= Negligible)
     {
@@ -145,7 +145,9 @@ private:
     if (!this->HasTurned)
     {
       this->HasTurned = true;
-      const Eigen::VectorXi turns = ChooseQuarterTurns(sample, defects, progress);
+      // Crosses around a handle keep the quarter turns of the frames.
+      const Eigen::VectorXi turns = hasHandles ? Eigen::VectorXi::Zero(defects.size())
+                                               : ChooseQuarterTurns(sample, defects, progress);
       if (!turns.isZero())
       {
         for (Eigen::Index j = 0; j < turns.size(); ++j)

@@ -92,7 +92,7 @@ void ScaleLengths(const std::vector<double>& scales, ConeMetric& metric)
 }
 }
 
-FlattenedTargets FlattenFrames(const PlanarTopology& topology, const TriangleFrames& frames,
+FlattenedTargets FlattenFrames(const MeshTopology& topology, const TriangleFrames& frames,
   const std::vector<Cone>& cones, const Progress& progress)
 {
   ConeMetric start(topology, frames.jump, cones);

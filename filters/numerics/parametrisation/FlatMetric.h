@@ -2,7 +2,6 @@
 
 #include "ConeMetricSolve.h"
 #include "MapTargets.h"
-#include "PlanarTopology.h"
 #include "TriangleFrames.h"
 
 namespace crossfield
@@ -18,6 +17,6 @@ struct FlattenedTargets
 /// §12.7) and returns its layout, on another triangulation if flips and splits are needed. If the
 /// strains do not converge with the quantile 0.3 it is tried again with 0.7. `report.converged` is
 /// set if the targets can be used.
-FlattenedTargets FlattenFrames(const PlanarTopology& topology, const TriangleFrames& frames,
+FlattenedTargets FlattenFrames(const MeshTopology& topology, const TriangleFrames& frames,
   const std::vector<Cone>& cones, const Progress& progress = {});
 }

@@ -1,6 +1,10 @@
 #include "LoopAlignment.h"
 
+#include "Cycle.h"
 #include "TriangleSearch.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace crossfield
 {
@@ -61,40 +65,78 @@ public:
 private:
   const MetricDerivatives& Derivatives;
 };
+
+/// Returns 2g closed strips of triangles that generate the cycles of handles.
+std::vector<Cycle> FindHandles(const ConeMetric& metric)
+{
+  // χ = 2 − 2g − b, with as many corners as sides
+  const auto loops = static_cast<int>(metric.LoopStarts().size());
+  const int characteristic = static_cast<int>(metric.Points().size()) -
+    static_cast<int>(metric.LogLengths().size()) + static_cast<int>(metric.Triangles().size());
+  if (characteristic + loops == 2)
+  {
+    return {};
+  }
+  const TriangleMesh mesh = metric.Triangulation();
+  std::vector<Cycle> cycles = FindCycles(mesh, NumberEdges(mesh), FindBoundaryLoops(mesh));
+  cycles.erase(std::remove_if(cycles.begin(), cycles.end(),
+                 [](const Cycle& cycle) { return !cycle.IsClosed(); }),
+    cycles.end());
+  return cycles;
+}
 }
 
 LoopAlignment MeasureAlignment(const MetricDerivatives& derivatives)
 {
   const ConeMetric& metric = derivatives.GetMetric();
-  const std::vector<int>& starts = metric.LoopStarts();
-  const auto directionOf = [&metric](const Side& side)
-  { return 0.5 * Pi * metric.Triangles()[side.triangle].jumps[side.side]; };
-  const Side outer = metric.AtBoundary(starts.front());
-  const std::vector<Side> reached = SearchFrom(metric, outer.triangle);
   LoopAlignment alignment;
-  alignment.defects.resize(static_cast<Eigen::Index>(starts.size()) - 1);
-  for (std::size_t loop = 1; loop < starts.size(); ++loop)
+  std::vector<double> defects;
+  const auto add = [&](DirectionWalk& walk, double prescribed)
   {
-    const Side inner = metric.AtBoundary(starts[loop]);
-    std::vector<Side> crossed;
-    for (int t = inner.triangle; t != outer.triangle; t = crossed.back().triangle)
-    {
-      crossed.push_back(reached[t]);
-    }
-    DirectionWalk walk(derivatives);
-    walk.Direction = directionOf(outer);
-    Side here = outer;
-    for (auto side = crossed.rbegin(); side != crossed.rend(); ++side)
-    {
-      walk.Turn(here.triangle, here.side, side->side);
-      walk.Cross(*side);
-      here = metric.Across(*side);
-    }
-    walk.Turn(here.triangle, here.side, inner.side);
-    alignment.defects[static_cast<Eigen::Index>(loop) - 1] =
-      WrapAngle(walk.Direction - directionOf(inner));
+    defects.push_back(WrapAngle(walk.Direction - prescribed));
     alignment.rows.push_back(std::move(walk.Row));
+  };
+  const std::vector<int>& starts = metric.LoopStarts();
+  if (starts.size() > 1)
+  {
+    const auto directionOf = [&metric](const Side& side)
+    { return 0.5 * Pi * metric.Triangles()[side.triangle].jumps[side.side]; };
+    const Side outer = metric.AtBoundary(starts.front());
+    const std::vector<Side> reached = SearchFrom(metric, outer.triangle);
+    for (std::size_t loop = 1; loop < starts.size(); ++loop)
+    {
+      const Side inner = metric.AtBoundary(starts[loop]);
+      std::vector<Side> crossed;
+      for (int t = inner.triangle; t != outer.triangle; t = crossed.back().triangle)
+      {
+        crossed.push_back(reached[t]);
+      }
+      DirectionWalk walk(derivatives);
+      walk.Direction = directionOf(outer);
+      Side here = outer;
+      for (auto side = crossed.rbegin(); side != crossed.rend(); ++side)
+      {
+        walk.Turn(here.triangle, here.side, side->side);
+        walk.Cross(*side);
+        here = metric.Across(*side);
+      }
+      walk.Turn(here.triangle, here.side, inner.side);
+      add(walk, directionOf(inner));
+    }
+    alignment.innerLoops = static_cast<int>(starts.size()) - 1;
   }
+  for (const Cycle& cycle : FindHandles(metric))
+  {
+    DirectionWalk walk(derivatives);
+    for (const Cycle::Step& step : cycle.steps)
+    {
+      walk.Turn(step.triangle, step.entry, step.exit);
+      walk.Cross({ step.triangle, step.exit });
+    }
+    add(walk, 0.0);
+  }
+  alignment.defects =
+    Eigen::Map<Eigen::VectorXd>(defects.data(), static_cast<Eigen::Index>(defects.size()));
   return alignment;
 }
 

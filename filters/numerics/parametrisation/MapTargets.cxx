@@ -1,7 +1,7 @@
 #include "MapTargets.h"
 
 #include "PlanarTopology.h"
-#include "TriangleArea.h"
+#include "SurfaceTopology.h"
 #include "TriangleSearch.h"
 
 #include <cmath>
@@ -24,8 +24,16 @@ std::vector<double> DirectionsOfSides(const ConeMetric& metric)
   };
   const auto set = [&](const ConeMetric::Side& side, double direction)
   { directions[side.triangle] = WrapAngle(direction - relative(side.triangle, side.side)); };
-  const ConeMetric::Side start = metric.AtBoundary(metric.LoopStarts().front());
-  set(start, 0.5 * Pi * triangles[start.triangle].jumps[start.side]);
+  ConeMetric::Side start = { 0, 0 };
+  if (metric.LoopStarts().empty())
+  {
+    set(start, 0.0); // the angle of a map of a closed surface is free
+  }
+  else
+  {
+    start = metric.AtBoundary(metric.LoopStarts().front());
+    set(start, 0.5 * Pi * triangles[start.triangle].jumps[start.side]);
+  }
   SearchTriangles(
     static_cast<int>(triangles.size()), { start.triangle },
     [&](int t, int side) { return triangles[t].neighbours[side]; },
@@ -40,15 +48,20 @@ std::vector<double> DirectionsOfSides(const ConeMetric& metric)
 
 MapTargets LayOut(const ConeMetric& metric)
 {
-  TriangleMesh mesh;
-  mesh.points = metric.Points();
-  mesh.boundary = metric.Boundary();
   MapTargets result;
+  if (metric.IsInPlane())
+  {
+    result.topology = ShareTopology(metric.Triangulation());
+  }
+  else
+  {
+    result.topology = std::make_shared<const SurfaceTopology>(
+      SurfaceMesh{ metric.Points(), metric.Triangulation().triangles });
+  }
   const std::vector<double> directions = DirectionsOfSides(metric);
   for (int t = 0; t < static_cast<int>(metric.Triangles().size()); ++t)
   {
     const ConeMetric::Triangle& triangle = metric.Triangles()[t];
-    mesh.triangles.push_back(triangle.vertices);
     result.jumps.push_back(triangle.jumps);
     const double direction = directions[t];
     const double toThird = direction + metric.AnglesOf(t).angle[0];
@@ -58,11 +71,9 @@ MapTargets LayOut(const ConeMetric& metric)
     corners.row(2) =
       metric.Length(triangle.edges[2]) * Point(std::cos(toThird), std::sin(toThird)).transpose();
     result.poisson.target.push_back(corners);
-    result.poisson.weights.push_back(
-      TriangleArea(metric.Points(), triangle.vertices) / metric.AreaOf(t));
+    result.poisson.weights.push_back(result.topology->AreaOf(t) / metric.AreaOf(t));
   }
   LimitWeights(result.poisson.weights);
-  result.topology = ShareTopology(std::move(mesh));
   return result;
 }
 }

@@ -2,6 +2,8 @@
 
 #include "Index.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,8 +23,10 @@ constexpr double FlipExcess = 0.25;
 constexpr double SplitAngle = 0.8 * Pi;
 /// Range of the fraction of an edge at which it is divided.
 constexpr double SmallestFraction = 0.2;
-/// Least angle of new triangles in the plane, radians.
-constexpr double LeastPlanarAngle = 0.06;
+/// Least angle of new triangles on the surface, radians.
+constexpr double LeastNewAngle = 0.06;
+/// Largest sine of the angle between the normals of triangles that lie in one plane: rounding.
+constexpr double Flat = 1e-9;
 
 std::vector<int> CountTriangles(const ConeMetric& metric)
 {
@@ -43,11 +47,13 @@ bool IsEnough(const ConeMetric& metric, int vertex, int triangles)
   return triangles * LargestCorner >= 0.5 * Pi * metric.QuartersAt(vertex);
 }
 
-/// Returns the minimum angle of a triangle in the plane; negative if it is reversed.
-double LeastAngle(const Point& a, const Point& b, const Point& c)
+/// Returns the minimum angle of a triangle in a plane with a unit normal; negative if it is reversed.
+double LeastAngle(
+  const SpacePoint& a, const SpacePoint& b, const SpacePoint& c, const SpacePoint& normal)
 {
-  return std::min(
-    { AngleBetween(b - a, c - a), AngleBetween(c - b, a - b), AngleBetween(a - c, b - c) });
+  const auto angle = [&normal](const SpacePoint& from, const SpacePoint& to)
+  { return std::atan2(from.cross(to).dot(normal), from.dot(to)); };
+  return std::min({ angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c) });
 }
 
 /// Returns whether the edge of a side should and can be flipped.
@@ -78,9 +84,13 @@ bool ShouldFlip(const ConeMetric& metric, const std::vector<int>& counts, Side s
     return false;
   }
   const auto& points = metric.Points();
-  const Point& p = points[v[(s + 2) % 3]];
-  const Point& q = points[w[(r + 2) % 3]];
-  if (!(std::min(LeastAngle(p, q, points[b]), LeastAngle(q, p, points[a])) >= LeastPlanarAngle))
+  const SpacePoint& p = points[v[(s + 2) % 3]];
+  const SpacePoint& q = points[w[(r + 2) % 3]];
+  const SpacePoint along = points[b] - points[a];
+  const SpacePoint normal = along.cross(p - points[a]).normalized();
+  if (!(normal.cross((q - points[a]).cross(along).normalized()).norm() <= Flat) ||
+    !(std::min(LeastAngle(p, q, points[b], normal), LeastAngle(q, p, points[a], normal)) >=
+      LeastNewAngle))
   {
     return false;
   }
@@ -171,7 +181,7 @@ RemeshingCount SplitNarrowFans(ConeMetric& metric)
         if (found != vertices.end())
         {
           const int corner = static_cast<int>(found - vertices.begin());
-          const double here = metric.PlanarAngleOf(t, corner);
+          const double here = metric.AngleOnSurface(t, corner);
           if (here > angle)
           {
             angle = here;

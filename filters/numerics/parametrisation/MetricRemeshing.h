@@ -15,7 +15,7 @@ struct RemeshingCount
 /// (docs/method.md §12.6).
 RemeshingCount SplitNarrowFans(ConeMetric& metric);
 
-/// Removes angles near π from a metric by flips and splits that are valid in the plane as well
+/// Removes angles near π from a metric by flips and splits that are valid on the surface as well
 /// (docs/method.md §12.6). At most `maximumSplits` splits.
 RemeshingCount ImproveTriangles(ConeMetric& metric, int maximumSplits);
 }

@@ -1,7 +1,7 @@
 #include "SeamlessMap.h"
 
 #include "Error.h"
-#include "TriangleArea.h"
+#include "TriangleWalk.h"
 
 #include <Eigen/Geometry>
 
@@ -49,21 +49,12 @@ SeamTransition SeamlessMap::Across(int triangle, int side) const
 
 SpacePoint SeamlessMap::PlaceOf(int triangle, const Point& w) const
 {
-  // Barycentric coordinates up to a factor: corner i is opposite to side i + 1.
-  std::array<double, 3> areas{};
-  double sum = 0.0;
-  for (int side = 0; side < 3; ++side)
-  {
-    const double area =
-      TriangleArea(this->At(triangle, side), this->At(triangle, (side + 1) % 3), w);
-    areas[(side + 2) % 3] = std::max(0.0, area);
-    sum += std::max(0.0, area);
-  }
+  const std::array<double, 3> weights =
+    WeightsAt({ this->At(triangle, 0), this->At(triangle, 1), this->At(triangle, 2) }, w);
   SpacePoint place = SpacePoint::Zero();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    place +=
-      (areas[i] / sum) * this->topology->PositionOf(this->topology->mesh.triangles[triangle][i]);
+    place += weights[i] * this->topology->PositionOf(this->topology->mesh.triangles[triangle][i]);
   }
   return place;
 }

@@ -152,14 +152,10 @@ Eigen::VectorXd TurnedToBestAngle(const Eigen::VectorXd& free,
 
 /// Stores the solution for the free unknowns, scaled to the area of the domain.
 void StoreScaled(const Eigen::VectorXd& free,
-  const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, const SeamlessPoisson& poisson,
-  SeamlessMap& map)
+  const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, SeamlessMap& map)
 {
-  const Eigen::VectorXd w = prolongation * free;
-  StorePoints(w, map);
-  const double area = map.topology->Area();
-  map.residual = std::sqrt(std::max(0.0, poisson.ObjectiveAt(map, w)) / area);
-  const double scale = std::sqrt(area / std::abs(MapArea(map)));
+  StorePoints(prolongation * free, map);
+  const double scale = std::sqrt(map.topology->Area() / std::abs(MapArea(map)));
   StorePoints(prolongation * RoundFree(scale * free, scale * map.Extent()), map);
 }
 }
@@ -186,11 +182,13 @@ SeamlessMap SolveTargets(
   const auto prolongation =
     EliminateSeams(*map.topology, cut, map.transitions, map.directions, map.cones);
   Eigen::VectorXd free = SolveCoordinates(map, targets.poisson, prolongation, progress);
+  const double objective = targets.poisson.ObjectiveAt(map, prolongation * free);
+  map.residual = std::sqrt(std::max(0.0, objective) / map.topology->Area());
   if (map.topology->loops.empty())
   {
     free = TurnedToBestAngle(free, prolongation, map);
   }
-  StoreScaled(free, prolongation, targets.poisson, map);
+  StoreScaled(free, prolongation, map);
   return map;
 }
 }

@@ -145,6 +145,33 @@ TEST(SurfaceMap, SharesOutWhatDoesNotCloseAroundHandles)
   EXPECT_EQ(solved, 5);
 }
 
+TEST(SurfaceMap, LaysOutAFlatMetricWhereItWouldFold)
+{
+  // Random positions, most of whose crosses miss by tens of degrees around the handle.
+  const auto topology = TopologyOf(Torus(2.5, 60, 24));
+  int flattened = 0;
+  for (const unsigned seed : { 571u, 572u, 573u, 574u, 575u, 576u })
+  {
+    Random random(seed);
+    std::vector<Cone> cones;
+    for (const int index : { 1, -1, 1, -1, 1, -1, 1, -1 })
+    {
+      cones.push_back({ random.Integer(0, topology->VertexCount() - 1), index, false,
+        static_cast<int>(cones.size()) });
+    }
+    const SeamlessMap map = SolveSurfaceMap(topology, cones);
+    ExpectRectangles(map);
+    EXPECT_NEAR(map.topology->Area(), topology->Area(), 1e-9); // the same surface
+    if (map.flattening)
+    {
+      ++flattened;
+      EXPECT_TRUE(map.flattening->converged);
+      EXPECT_LT(map.residual, 1e-6); // isometric to the metric
+    }
+  }
+  EXPECT_GT(flattened, 0);
+}
+
 TEST(SurfaceMap, RefusesWhatNoMapHas)
 {
   const SurfaceMesh sphere = CubedSphere(4);

@@ -30,7 +30,7 @@ bool IsConvex(const ConeMetric& metric, ConeMetric::Side side)
     const double inMetric =
       one[static_cast<std::size_t>(here)] + two[static_cast<std::size_t>(there)];
     const double inPlane =
-      metric.PlanarAngleOf(side.triangle, here) + metric.PlanarAngleOf(across.triangle, there);
+      metric.AngleOnSurface(side.triangle, here) + metric.AngleOnSurface(across.triangle, there);
     if (std::max(inMetric, inPlane) > Pi - Margin)
     {
       return false;

@@ -149,15 +149,15 @@ TEST(ConeMetric, FlipsAndSplitsKeepTheMetricOfThePlane)
       const ConeMetric::Triangle& triangle = At(metric.Triangles(), t);
       for (int i = 0; i < 3; ++i)
       {
-        const Point along = At(metric.Points(), At(triangle.vertices, (i + 1) % 3)) -
+        const SpacePoint along = At(metric.Points(), At(triangle.vertices, (i + 1) % 3)) -
           At(metric.Points(), At(triangle.vertices, i));
         EXPECT_NEAR(metric.Length(EdgeOf(metric, { t, i })) / along.norm(), 1.0, 1e-11);
-        EXPECT_NEAR(At(metric.AnglesOf(t).angle, i), metric.PlanarAngleOf(t, i), 1e-6);
+        EXPECT_NEAR(At(metric.AnglesOf(t).angle, i), metric.AngleOnSurface(t, i), 1e-6);
       }
-      EXPECT_GT(crossfield::TriangleArea(metric.Points(), At(metric.Triangles(), t).vertices), 0.0);
-      EXPECT_NEAR(metric.AreaOf(t),
-        crossfield::TriangleArea(metric.Points(), At(metric.Triangles(), t).vertices), 1e-11);
-      area += crossfield::TriangleArea(metric.Points(), At(metric.Triangles(), t).vertices);
+      const double here = crossfield::TriangleArea(metric.Triangulation(), triangle.vertices);
+      EXPECT_GT(here, 0.0);
+      EXPECT_NEAR(metric.AreaOf(t), here, 1e-11);
+      area += here;
     }
     EXPECT_NEAR(area, MeshArea(topology->mesh), 1e-12);
     EXPECT_TRUE(metric.IsValid());
@@ -223,7 +223,7 @@ TEST(ConeMetric, FlippingTwiceIsTheIdentity)
   for (int t = 0; t < static_cast<int>(metric.Triangles().size()); ++t)
   {
     const int other = At(metric.Triangles(), t).neighbours[0];
-    if (other < 0 || metric.PlanarAngleOf(t, 2) < 0.4 * Pi)
+    if (other < 0 || metric.AngleOnSurface(t, 2) < 0.4 * Pi)
     {
       continue;
     }

@@ -5,6 +5,8 @@
 #include "LoopAlignment.h"
 #include "MetricCases.h"
 #include "Support.h"
+#include "SurfaceTopology.h"
+#include "Surfaces.h"
 
 #include <cmath>
 
@@ -137,6 +139,39 @@ TEST(LoopAlignment, RowsMatchFiniteDifferences)
     const double derivative = alignment.Changes(change)[0];
     EXPECT_GT(std::abs(derivative), 1e-3);
     EXPECT_NEAR((defectAt(Step) - defectAt(-Step)) / (2.0 * Step), derivative, 1e-6);
+  }
+}
+
+/// Returns a metric of a box with holes without jumps, on which derivatives do not depend.
+ConeMetric MetricOfHoles(int genus, Random& random)
+{
+  const SurfaceTopology topology(BoxWithHoles(genus, 1));
+  ConeMetric metric(topology, std::vector<std::array<int, 3>>(topology.mesh.triangles.size()), {});
+  Perturb(random, 0.1, metric);
+  return metric;
+}
+
+TEST(LoopAlignment, HasTwoPathsForEachHandle)
+{
+  Random random(56);
+  for (const int genus : { 1, 2 })
+  {
+    const ConeMetric metric = MetricOfHoles(genus, random);
+    const LoopAlignment alignment = MeasureAlignment(MetricDerivatives(metric));
+    ASSERT_EQ(alignment.defects.size(), 2 * genus);
+    EXPECT_EQ(alignment.innerLoops, 0);
+    EXPECT_TRUE(alignment.HasHandles());
+    for (int i = 0; i < 5; ++i)
+    {
+      const Eigen::VectorXd change = RandomNumbers(random, metric.LogLengths().size());
+      const auto defectsAt = [&](double step)
+      { return MeasureAlignment(MetricDerivatives(Moved(metric, step * change))).defects; };
+      const Eigen::VectorXd derivatives = alignment.Changes(change);
+      EXPECT_GT(derivatives.lpNorm<Eigen::Infinity>(), 1e-3);
+      EXPECT_LT(((defectsAt(Step) - defectsAt(-Step)) / (2.0 * Step) - derivatives)
+                  .lpNorm<Eigen::Infinity>(),
+        1e-6);
+    }
   }
 }
 }
