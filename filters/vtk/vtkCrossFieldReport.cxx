@@ -253,9 +253,10 @@ public:
       { "scaled_jacobian", names::ScaledJacobianRange, { "min", "mean" } },
       { "eta", names::EtaRange, { "min", "mean" } },
       { "sizes", names::SizeRange, { "min", "mean", "max" } }, names::SizeVariation,
-      names::Symmetries, names::ZeroArcs, names::Inverted, names::AmbiguousCorners, names::Warnings,
-      names::Moved });
-    this->Add({ names::ScaledJacobianBound }, "scaled_jacobian", "ScaledJacobian");
+      { "surface_distance", names::SurfaceDistance, { "mean", "max" } }, names::Symmetries,
+      names::ZeroArcs, names::Inverted, names::AmbiguousCorners, names::Warnings, names::Moved });
+    this->Add({ names::ScaledJacobianBound, names::ScaledJacobianBySurface }, "scaled_jacobian",
+      "ScaledJacobian");
     this->AddCounts("irregular", names::IrregularObtained);
     this->AddCounts("asked", names::IrregularRequested);
     this->Add({ { "none", names::BlocksUnmerged }, names::BlocksClean, names::BlocksCoarse },

@@ -93,10 +93,11 @@ int vtkQuadMesher::RequestData(
       if (SurfaceConversion::IsSurface(domain))
       {
         this->RequireOptionsOfSurfaces(inputVector);
-        const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
-          SurfaceConversion::ReadTriangles(domain),
-          { SurfaceConversion::ReadSingularities(singularities), this->QuadSize, this->QuadCount },
-          progress);
+        const crossfield::QuadWorkflowResult result =
+          crossfield::MakeQuadsOfSurface(SurfaceConversion::ReadTriangles(domain),
+            { SurfaceConversion::ReadSingularities(singularities), this->QuadSize, this->QuadCount,
+              this->HoldSingularities },
+            progress);
         this->Warn(result);
         this->WriteOutputs(result, crossfield::DomainPlane(), outputVector);
         // Numerics of the plane have no singularities in space; the irregular nodes are those.

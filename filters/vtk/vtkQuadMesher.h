@@ -71,7 +71,8 @@
  * `BlocksUnmerged`, `BlocksClean` and `BlocksCoarse` (number of blocks with each kind of Merge, as
  * far as it was computed), `IrregularValence`, `IrregularObtained`, `IrregularRequested` (numbers of
  * interior nodes per valence), `ScaledJacobianRange` (minimum, mean), `ScaledJacobianBound`
- * (attainable minimum), `MinimumAngle` (degrees), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
+ * (attainable minimum), on a surface in space `ScaledJacobianBySurface` (minimum, seen along its normal) and
+ * `SurfaceDistance` (mean, maximum; of centres of quads from the surface), `MinimumAngle` (degrees), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
  * − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
  * (standard deviation over mean of the same), `Size` (side length in the map), `Symmetries`
  * (number of symmetries of the domain that the quads have, 1 for the identity alone), `ZeroArcs`,

@@ -236,14 +236,19 @@ std::vector<Cone> ConesOfSquare(int n)
   return cones;
 }
 
-SurfaceMesh BentAtRandom(const TriangleMesh& mesh, int n, unsigned seed)
+Eigen::Matrix3d TurnOfBent()
+{
+  return Eigen::AngleAxisd(0.7, SpacePoint(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+}
+
+SurfaceMesh BentAtRandom(const TriangleMesh& mesh, int n, unsigned seed, double largest)
 {
   Random random(seed);
-  const Eigen::AngleAxisd turn(0.7, SpacePoint(1.0, 2.0, 3.0).normalized());
+  const Eigen::Matrix3d turn = TurnOfBent();
   std::vector<SpacePoint> lines = { SpacePoint::Zero() };
   for (int i = 0; i < n; ++i)
   {
-    const double angle = random.Uniform(-3.0, 3.0);
+    const double angle = random.Uniform(-largest, largest);
     lines.push_back(lines.back() + SpacePoint(std::cos(angle), 0.0, std::sin(angle)) / n);
   }
   SurfaceMesh surface;

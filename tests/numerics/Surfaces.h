@@ -32,6 +32,9 @@ TriangleMesh GridOfSquare(int n);
 std::vector<Cone> ConesOfSquare(int n);
 
 /// Bends a mesh with its vertices on the lines x = i / n along these lines: each strip between two of them gets a
-/// random direction in the plane of x and z. Then turns it. Lengths stay.
-SurfaceMesh BentAtRandom(const TriangleMesh& mesh, int n, unsigned seed);
+/// random direction in the plane of x and z, at most `largest` radians from x. Then turns it. Lengths stay.
+SurfaceMesh BentAtRandom(const TriangleMesh& mesh, int n, unsigned seed, double largest = 3.0);
+
+/// Returns the turn of BentAtRandom: with `largest` 0 the mesh is the turned one.
+Eigen::Matrix3d TurnOfBent();
 }

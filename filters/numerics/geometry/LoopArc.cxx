@@ -11,56 +11,6 @@
 namespace crossfield
 {
 //------------------------------------------------------------------------------
-LoopArc::LoopArc(const Loop& loop)
-  : Polyline(loop)
-  , Starts{ 0.0 }
-{
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    this->Starts.push_back(this->Starts.back() + (loop[(i + 1) % loop.size()] - loop[i]).norm());
-  }
-}
-
-//------------------------------------------------------------------------------
-double LoopArc::Wrap(double length) const
-{
-  const double wrapped = std::fmod(length, this->Length());
-  return wrapped < 0.0 ? wrapped + this->Length() : wrapped;
-}
-
-//------------------------------------------------------------------------------
-std::pair<std::size_t, double> LoopArc::SideAt(double length) const
-{
-  const double wrapped = this->Wrap(length);
-  const auto after = std::upper_bound(this->Starts.begin(), this->Starts.end(), wrapped);
-  const std::size_t side =
-    std::min(static_cast<std::size_t>(after - this->Starts.begin()), this->Polyline.size()) - 1;
-  const double extent = this->Starts[side + 1] - this->Starts[side];
-  return { side, extent > 0.0 ? (wrapped - this->Starts[side]) / extent : 0.0 };
-}
-
-//------------------------------------------------------------------------------
-Point LoopArc::At(double length) const
-{
-  const auto [side, part] = this->SideAt(length);
-  return this->Polyline[side] + part * (this->End(side) - this->Polyline[side]);
-}
-
-//------------------------------------------------------------------------------
-Point LoopArc::Tangent(double length) const
-{
-  const std::size_t side = this->SideAt(length).first;
-  return (this->End(side) - this->Polyline[side]).normalized();
-}
-
-//------------------------------------------------------------------------------
-std::size_t LoopArc::NearestVertex(double length) const
-{
-  const auto [side, part] = this->SideAt(length);
-  return part > 0.5 ? (side + 1) % this->Polyline.size() : side;
-}
-
-//------------------------------------------------------------------------------
 double LoopArc::Nearest(const Point& place) const
 {
   // rounding error of a distance between points of the domain

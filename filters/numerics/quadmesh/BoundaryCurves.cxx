@@ -2,12 +2,48 @@
 
 #include "Index.h"
 
+#include <utility>
+
 namespace crossfield
 {
 BoundaryCurves::BoundaryCurves(const std::vector<Loop>& loops, const CurvedBoundary& boundary)
   : Arcs(loops.begin(), loops.end())
   , Curved(boundary, this->Arcs)
 {
+}
+
+BoundaryCurves::BoundaryCurves(std::vector<ClosedPolyline<SpacePoint>> loops)
+  : InSpace(std::move(loops))
+{
+}
+
+SpacePoint BoundaryCurves::PlaceAt(const CurvePlace& place) const
+{
+  return this->IsInPlane() ? crossfield::InSpace(this->At(place))
+                           : this->InSpace[place.loop].At(place.at);
+}
+
+SpacePoint BoundaryCurves::DirectionAt(const CurvePlace& place) const
+{
+  return this->IsInPlane() ? crossfield::InSpace(this->Tangent(place))
+                           : this->InSpace[place.loop].Tangent(place.at);
+}
+
+double BoundaryCurves::Length(int loop) const
+{
+  return this->IsInPlane() ? this->ArcOf(loop).Length() : this->InSpace[loop].Length();
+}
+
+double BoundaryCurves::StartOf(int loop, std::size_t vertex) const
+{
+  return this->IsInPlane() ? this->ArcOf(loop).Start(vertex) : this->InSpace[loop].Start(vertex);
+}
+
+std::size_t BoundaryCurves::SideAt(const CurvePlace& place) const
+{
+  return (this->IsInPlane() ? this->ArcOf(place.loop).SideAt(place.at)
+                            : this->InSpace[place.loop].SideAt(place.at))
+    .first;
 }
 
 Point BoundaryCurves::At(const CurvePlace& place) const

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "QuadMesh.h"
+#include "SurfaceQuality.h"
 
+#include <optional>
 #include <string>
 
 namespace crossfield
@@ -30,6 +32,7 @@ struct QuadQuality
   double variation = 0.0;                ///< Standard deviation of √area over its mean.
   int inverted = 0;                      ///< Number of quads whose scaled Jacobian is not positive.
   SpacePoint where = SpacePoint::Zero(); ///< Centre of the quad with the minimum scaled Jacobian.
+  std::optional<SurfaceQuality> surface; ///< On a surface in space.
 };
 
 /// Returns the scaled Jacobian of a quad: the minimum over its corners of the signed sine of the

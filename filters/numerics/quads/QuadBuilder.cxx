@@ -49,9 +49,7 @@ constexpr std::ptrdiff_t MinimumBuilt = 5000;
 class QuadBuilder
 {
 public:
-  /// Without curves, points of the boundary are at their places in the map, and their positions along loops
-  /// are not set.
-  QuadBuilder(const SeamlessMap& map, const MeshBoundary* curves, const TMesh& mesh,
+  QuadBuilder(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
     const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size)
     : Map(map)
     , Separatrices(mesh)
@@ -74,11 +72,11 @@ public:
     this->BuildPatches();
     this->AddBoundary();
     CountValences(*this->Map.topology, this->Mesh);
-    if (this->Curves != nullptr)
+    FixCorners(this->Curves, this->Mesh);
+    OrderOnBoundary(this->Mesh, this->Curves);
+    if (this->Curves.IsInPlane())
     {
-      FixCorners(*this->Curves, this->Mesh);
-      OrderOnBoundary(this->Mesh, *this->Curves);
-      NameBoundary(sides, *this->Curves, this->Mesh);
+      NameBoundary(sides, this->Curves, this->Mesh);
     }
     return std::move(this->Mesh);
   }
@@ -148,7 +146,7 @@ private:
   CurvePlace CurveOn(int half, double within) const
   {
     const ArcPosition at = this->FindOn(half, within);
-    return FindOnBoundary(this->Map, *this->Curves, *at.piece, at.w);
+    return FindOnBoundary(this->Map, this->Curves, *at.piece, at.w);
   }
 
   /// Returns the rank by which coincident points take their position: cones and fixed nodes,
@@ -199,14 +197,13 @@ private:
     const ChartPlace place = this->PlaceOn(half, within);
     point.scale = PlaneScale(this->Map, place.triangle);
     point.triangle = place.triangle;
-    if (arc.onBoundary && this->Curves != nullptr)
+    if (arc.onBoundary)
     {
       point.curve = this->CurveOn(half, within);
-      point.MoveTo(this->Curves->At(point.curve));
+      point.place = this->Curves.PlaceAt(point.curve);
     }
     else
     {
-      point.curve.loop = arc.onBoundary ? arc.loop : -1;
       point.place = this->Map.PlaceOf(place.triangle, place.w);
     }
     const bool node = j == 0 || j == count;
@@ -392,7 +389,7 @@ private:
   const std::vector<std::vector<double>>& Spacing; ///< Distances of the points along every arc.
   const ArcPoints Points;
   UnionFind Classes;
-  const MeshBoundary* const Curves;
+  const MeshBoundary& Curves;
   const double Size;
   std::vector<int>
     Numbers; ///< Index in the mesh of every class of coincident points, −1 if it has none yet.
@@ -405,12 +402,6 @@ QuadMesh BuildQuads(const SeamlessMap& map, const MeshBoundary& curves, const TM
   const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size,
   const BoundarySides& sides)
 {
-  return QuadBuilder(map, &curves, mesh, counts, spacing, size).Build(sides);
-}
-
-QuadMesh BuildQuadsInSpace(const SeamlessMap& map, const TMesh& mesh,
-  const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size)
-{
-  return QuadBuilder(map, nullptr, mesh, counts, spacing, size).Build({});
+  return QuadBuilder(map, curves, mesh, counts, spacing, size).Build(sides);
 }
 }

@@ -21,9 +21,4 @@ namespace crossfield
 QuadMesh BuildQuads(const SeamlessMap& map, const MeshBoundary& curves, const TMesh& mesh,
   const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size,
   const BoundarySides& sides = {});
-
-/// Works as BuildQuads on a surface, where points of the boundary are at their places in the map: they have
-/// loops but no positions along them, and the boundary has no names.
-QuadMesh BuildQuadsInSpace(const SeamlessMap& map, const TMesh& mesh,
-  const std::vector<int>& counts, const std::vector<std::vector<double>>& spacing, double size);
 }

@@ -157,8 +157,8 @@ public:
         [](const SidePrescription& one) { return one.isGraded; });
     const std::optional<double> sizePart =
       isConformal ? std::nullopt : std::optional<double>(this->Options.sizePart);
-    result.smoothing =
-      SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, this->Options.hold, progress);
+    result.smoothing = SmoothQuads(
+      result.mesh, result.blocks, { this->Curves }, sizePart, this->Options.hold, progress);
     if (this->HasInterfaces)
     {
       MatchPairs(this->Curves, result.mesh);

@@ -33,21 +33,21 @@ void FixCorners(const MeshBoundary& curves, QuadMesh& mesh)
 {
   for (const CurvePlace& corner : curves.Corners())
   {
-    const Point place = curves.At(corner);
+    const SpacePoint place = curves.PlaceAt(corner);
     QuadPoint* nearest = nullptr;
     double distance = 2.0 * curves.Length(corner.loop);
     for (QuadPoint& point : mesh.points)
     {
-      if (point.curve.loop == corner.loop && (point.InPlane() - place).norm() < distance)
+      if (point.curve.loop == corner.loop && (point.place - place).norm() < distance)
       {
-        distance = (point.InPlane() - place).norm();
+        distance = (point.place - place).norm();
         nearest = &point;
       }
     }
     if (nearest != nullptr && !nearest->fixed)
     {
       nearest->curve = corner;
-      nearest->MoveTo(place);
+      nearest->place = place;
       nearest->fixed = true;
     }
   }

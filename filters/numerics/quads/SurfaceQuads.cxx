@@ -9,6 +9,7 @@
 #include "SizeSearch.h"
 #include "SmoothLoops.h"
 #include "Stopwatch.h"
+#include "SurfaceQualityMeasure.h"
 #include "TargetLengths.h"
 
 #include <algorithm>
@@ -36,20 +37,6 @@ EdgeCounts CountsFor(const TMesh& mesh, const SmoothLoops& loops, double size, S
     counts = Quantise(mesh, problem, effort);
   }
   return counts;
-}
-
-/// Sets the normals of quads: the mean of those of the triangles at their corners.
-void SetNormals(const MeshTopology& topology, QuadMesh& mesh)
-{
-  for (const std::array<int, 4>& quad : mesh.quads)
-  {
-    SpacePoint normal = SpacePoint::Zero();
-    for (const int point : quad)
-    {
-      normal += topology.NormalOf(mesh.points[point].triangle);
-    }
-    mesh.normals.push_back(normal.normalized());
-  }
 }
 
 /// Names the boundary edges, which follow each other along every loop: a side ends at a corner.
@@ -96,14 +83,26 @@ QuadResult MakeSurfaceQuads(
   Stopwatch stopwatch;
   RequireMemory(static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
     "This number of quads", "use a larger size or fewer quads");
-  result.mesh = BuildQuadsInSpace(layout.map, result.tMesh, result.counts.counts,
+  const MeshBoundary curves(topology);
+  result.mesh = BuildQuads(layout.map, curves, result.tMesh, result.counts.counts,
     EqualSpacing(result.tMesh, result.counts.counts), result.size);
-  SetNormals(topology, result.mesh);
   NameSides(result.mesh);
   result.blocks = FindBlocks(result.mesh);
   result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
   result.layoutSeconds = stopwatch.Lap();
+  const SurfaceWalk surface(topology);
+  if (options.smooth)
+  {
+    result.smoothing = SmoothQuads(result.mesh, result.blocks, { curves, &surface }, std::nullopt,
+      options.hold, progress.Part(0.5, 1.0));
+  }
+  else
+  {
+    SetNormals(surface, result.mesh);
+  }
+  result.smoothSeconds = stopwatch.Lap();
   result.quality = MeasureQuads(result.mesh, result.size);
+  result.quality.surface = MeasureOnSurface(surface, result.mesh);
   progress.Report(1.0);
   return result;
 }

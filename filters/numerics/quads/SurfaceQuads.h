@@ -10,12 +10,14 @@ struct SurfaceQuadOptions
   /// Target side length of quads in the map, whose area is the surface's; 0: set by quadCount.
   double quadSize = 0.0;
   int quadCount = 1000; ///< Target number of quads if quadSize is 0.
+  bool hold = false;    ///< Keeps inner singularities at their positions in smoothing.
+  bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
 };
 
-/// Makes quads of the layout of a surface whose nodes are at their places in the map (docs/method.md §14):
-/// edge counts, quads, blocks and quality. The sides of the boundary are called outer0, outer1, ... between
+/// Makes quads of the layout of a surface (docs/method.md §14, §22.8):
+/// edge counts, smooth quads, blocks and quality. The sides of the boundary are called outer0, outer1, ... between
 /// corners of the longest loop, and hole0, ... of the others. Throws Error if the size or count is not positive, if more quads
-/// would be built than fit into memory, and as Quantise and BuildQuadsInSpace do.
+/// would be built than fit into memory, and as Quantise and BuildQuads do.
 QuadResult MakeSurfaceQuads(
   const Layout& layout, const SurfaceQuadOptions& options, const Progress& progress = {});
 }

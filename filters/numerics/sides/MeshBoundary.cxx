@@ -2,11 +2,43 @@
 
 namespace crossfield
 {
+namespace
+{
+std::vector<ClosedPolyline<SpacePoint>> LoopsInSpace(const MeshTopology& topology)
+{
+  std::vector<ClosedPolyline<SpacePoint>> loops;
+  for (const std::vector<int>& vertices : topology.alignedVertices)
+  {
+    std::vector<SpacePoint> places;
+    places.reserve(vertices.size());
+    for (const int vertex : vertices)
+    {
+      places.push_back(topology.PositionOf(vertex));
+    }
+    loops.emplace_back(std::move(places));
+  }
+  return loops;
+}
+}
+
 MeshBoundary::MeshBoundary(const PlanarTopology& topology, const CurvedBoundary& boundary)
   : BoundaryCurves(topology.AlignedLoops(), boundary)
   , Topology(topology)
-  , LoopAndEdge(topology.mesh.boundary.size(), { -1, 0 })
 {
+  this->NumberSides();
+}
+
+MeshBoundary::MeshBoundary(const MeshTopology& topology)
+  : BoundaryCurves(LoopsInSpace(topology))
+  , Topology(topology)
+{
+  this->NumberSides();
+}
+
+void MeshBoundary::NumberSides()
+{
+  const MeshTopology& topology = this->Topology;
+  this->LoopAndEdge.assign(topology.mesh.boundary.size(), { -1, 0 });
   std::vector<int> positionAt(topology.mesh.points.size(), -1);
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
@@ -28,21 +60,22 @@ MeshBoundary::MeshBoundary(const PlanarTopology& topology, const CurvedBoundary&
 CurvePlace MeshBoundary::Place(int boundaryPosition, double fraction) const
 {
   const auto& [loop, edge] = this->LoopAndEdge[boundaryPosition];
-  const LoopArc& arc = this->ArcOf(loop);
-  return { loop, arc.Start(edge) + fraction * (arc.Start(edge + 1) - arc.Start(edge)) };
+  const double start = this->StartOf(loop, edge);
+  return { loop, start + fraction * (this->StartOf(loop, edge + 1) - start) };
 }
 
 std::vector<CurvePlace> MeshBoundary::Corners() const
 {
   std::vector<CurvePlace> places;
-  for (std::size_t l = 0; l < this->GetArcs().size(); ++l)
+  for (std::size_t l = 0; l < this->Topology.alignedVertices.size(); ++l)
   {
     const std::vector<int>& vertices = this->Topology.alignedVertices[l];
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       if (this->Topology.corners[vertices[i]])
       {
-        places.push_back({ static_cast<int>(l), this->GetArcs()[l].Start(i) });
+        const auto loop = static_cast<int>(l);
+        places.push_back({ loop, this->StartOf(loop, i) });
       }
     }
   }
@@ -51,6 +84,6 @@ std::vector<CurvePlace> MeshBoundary::Corners() const
 
 int MeshBoundary::PositionAt(const CurvePlace& place) const
 {
-  return this->Positions[place.loop][this->ArcOf(place.loop).SideAt(place.at).first];
+  return this->Positions[place.loop][this->SideAt(place)];
 }
 }

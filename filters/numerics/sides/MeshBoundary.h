@@ -12,6 +12,8 @@ class MeshBoundary : public BoundaryCurves
 {
 public:
   explicit MeshBoundary(const PlanarTopology& topology, const CurvedBoundary& boundary = {});
+  /// Makes that of a surface.
+  explicit MeshBoundary(const MeshTopology& topology);
 
   /// Returns the position at a fraction of an entry of mesh.boundary.
   CurvePlace Place(int boundaryPosition, double fraction) const;
@@ -21,7 +23,9 @@ public:
   int PositionAt(const CurvePlace& place) const;
 
 private:
-  const PlanarTopology& Topology;
+  void NumberSides();
+
+  const MeshTopology& Topology;
   std::vector<std::vector<int>> Positions; ///< Entries of mesh.boundary, per loop and side.
   std::vector<std::pair<int, std::size_t>> LoopAndEdge; ///< Per entry of mesh.boundary.
 };

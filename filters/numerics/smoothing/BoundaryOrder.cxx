@@ -179,7 +179,7 @@ void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shorte
       if (changes && i > 0)
       {
         point.curve.at = run.at[i];
-        point.MoveTo(curves.At(point.curve));
+        point.place = curves.PlaceAt(point.curve);
       }
     }
   };

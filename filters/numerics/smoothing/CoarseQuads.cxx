@@ -190,47 +190,61 @@ void CoarseQuads::ForEachLink(const Function& function) const
   }
 }
 
-Eigen::VectorXd CoarseQuads::Tangents(const BoundaryCurves& curves) const
+std::vector<SpacePoint> CoarseQuads::Tangents(const BoundaryCurves& curves) const
 {
-  Eigen::VectorXd tangents =
-    Eigen::VectorXd::Zero(FirstUnknown(static_cast<int>(this->mesh.points.size())));
-  for (int p = 0; p < static_cast<int>(this->mesh.points.size()); ++p)
+  std::vector<SpacePoint> tangents(this->mesh.points.size(), SpacePoint::Zero());
+  for (std::size_t p = 0; p < tangents.size(); ++p)
   {
     const CurvePlace& curve = this->mesh.points[p].curve;
     if (curve.loop >= 0)
     {
-      tangents.segment<2>(FirstUnknown(p)) = curves.Tangent(curve);
+      tangents[p] = curves.DirectionAt(curve);
     }
   }
   return tangents;
 }
 
-Eigen::VectorXd CoarseQuads::Prolong(
-  const BoundaryCurves& curves, const Eigen::VectorXd& moves) const
+Eigen::VectorXd CoarseQuads::Prolong(const BoundaryCurves& curves, const TangentFrames& fineFrames,
+  const TangentFrames& frames, const Eigen::VectorXd& moves) const
 {
-  const Eigen::VectorXd tangents = this->Tangents(curves);
+  const std::vector<SpacePoint> tangents = this->Tangents(curves);
   Eigen::VectorXd result =
     Eigen::VectorXd::Zero(FirstUnknown(static_cast<int>(this->Fine.points.size())));
   this->ForEachLink(
     [&](const Link& link)
     {
+      auto sum = result.segment<2>(FirstUnknown(link.fine));
       const bool inside = this->Fine.points[link.fine].curve.loop < 0;
+      SpacePoint inSpace = SpacePoint::Zero();
       for (std::size_t k = 0; k < 4; ++k)
       {
-        const Eigen::Index first = FirstUnknown(link.coarse[k]);
-        const bool onBoundary = this->mesh.points[link.coarse[k]].curve.loop >= 0;
-        const Point move = inside && onBoundary ? Point(moves[first] * tangents.segment<2>(first))
-                                                : Point(moves.segment<2>(first));
-        result.segment<2>(FirstUnknown(link.fine)) += link.parts[k] * move;
+        const int p = link.coarse[k];
+        const Point move = moves.segment<2>(FirstUnknown(p));
+        if (!inside)
+        {
+          sum += link.parts[k] * move;
+        }
+        else if (this->mesh.points[p].curve.loop >= 0)
+        {
+          inSpace += link.parts[k] * (move.x() * tangents[p]);
+        }
+        else
+        {
+          inSpace += link.parts[k] * frames.VectorOf(p, move);
+        }
+      }
+      if (inside)
+      {
+        sum = fineFrames.ComponentsOf(link.fine, inSpace);
       }
     });
   return result;
 }
 
-Eigen::VectorXd CoarseQuads::Interpolate(
-  const BoundaryCurves& curves, const Eigen::VectorXd& moves) const
+Eigen::VectorXd CoarseQuads::Interpolate(const BoundaryCurves& curves,
+  const TangentFrames& fineFrames, const TangentFrames& frames, const Eigen::VectorXd& moves) const
 {
-  Eigen::VectorXd result = this->Prolong(curves, moves);
+  Eigen::VectorXd result = this->Prolong(curves, fineFrames, frames, moves);
   this->ForEachLink(
     [&](const Link& link)
     {
@@ -239,32 +253,36 @@ Eigen::VectorXd CoarseQuads::Interpolate(
       {
         return;
       }
-      Point displacement = -point.InPlane();
+      SpacePoint displacement = -point.place;
       for (std::size_t k = 0; k < 4; ++k)
       {
-        displacement += link.parts[k] * this->mesh.points[link.coarse[k]].InPlane();
+        displacement += link.parts[k] * this->mesh.points[link.coarse[k]].place;
       }
-      result.segment<2>(FirstUnknown(link.fine)) = displacement;
+      result.segment<2>(FirstUnknown(link.fine)) = fineFrames.ComponentsOf(link.fine, displacement);
     });
   return result;
 }
 
-Eigen::VectorXd CoarseQuads::Restrict(
-  const BoundaryCurves& curves, const Eigen::VectorXd& gradient) const
+Eigen::VectorXd CoarseQuads::Restrict(const BoundaryCurves& curves, const TangentFrames& fineFrames,
+  const TangentFrames& frames, const Eigen::VectorXd& gradient) const
 {
-  const Eigen::VectorXd tangents = this->Tangents(curves);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(tangents.size());
+  const std::vector<SpacePoint> tangents = this->Tangents(curves);
+  Eigen::VectorXd result =
+    Eigen::VectorXd::Zero(FirstUnknown(static_cast<int>(this->mesh.points.size())));
   this->ForEachLink(
     [&](const Link& link)
     {
       const bool inside = this->Fine.points[link.fine].curve.loop < 0;
       const Point part = gradient.segment<2>(FirstUnknown(link.fine));
+      const SpacePoint inSpace = fineFrames.VectorOf(link.fine, part);
       for (std::size_t k = 0; k < 4; ++k)
       {
-        const Eigen::Index first = FirstUnknown(link.coarse[k]);
-        const bool onBoundary = this->mesh.points[link.coarse[k]].curve.loop >= 0;
-        result.segment<2>(first) += link.parts[k] *
-          (inside && onBoundary ? Point(part.dot(tangents.segment<2>(first)), 0.0) : part);
+        const int p = link.coarse[k];
+        const bool onBoundary = this->mesh.points[p].curve.loop >= 0;
+        result.segment<2>(FirstUnknown(p)) += link.parts[k] *
+          (!inside         ? part
+              : onBoundary ? Point(inSpace.dot(tangents[p]), 0.0)
+                           : frames.ComponentsOf(p, inSpace));
       }
     });
   return result;

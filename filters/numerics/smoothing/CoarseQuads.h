@@ -1,7 +1,7 @@
 #pragma once
 
 #include "QuadBlocks.h"
-#include "QuadMesh.h"
+#include "TangentFrames.h"
 
 #include <Eigen/Core>
 
@@ -27,8 +27,8 @@ std::vector<QuadLattice> LatticesOf(const QuadMesh& mesh, const QuadBlocks& bloc
 /// remains are fixed.
 ///
 /// Displacements are two numbers per point, as in QuadEnergy. They are prolonged from the coarser
-/// to the finer mesh by bilinear interpolation in the lattices, of positions inside and of arc
-/// lengths on the boundary. Gradients are restricted by the transpose.
+/// to the finer mesh by bilinear interpolation in the lattices, of vectors in space inside and of arc
+/// lengths on the boundary. Gradients are restricted by the transpose. Frames are those of the energies of both meshes.
 class CoarseQuads
 {
 public:
@@ -42,12 +42,15 @@ public:
   /// cost.
   bool IsSmaller() const { return 2 * this->mesh.quads.size() <= this->Fine.quads.size(); }
   /// Interpolates displacements of the coarser mesh.
-  Eigen::VectorXd Prolong(const BoundaryCurves& curves, const Eigen::VectorXd& moves) const;
+  Eigen::VectorXd Prolong(const BoundaryCurves& curves, const TangentFrames& fineFrames,
+    const TangentFrames& frames, const Eigen::VectorXd& moves) const;
   /// Returns the displacement of every inner point to the interpolated position in its coarse cell;
   /// on the boundary, the displacement of Prolong.
-  Eigen::VectorXd Interpolate(const BoundaryCurves& curves, const Eigen::VectorXd& moves) const;
+  Eigen::VectorXd Interpolate(const BoundaryCurves& curves, const TangentFrames& fineFrames,
+    const TangentFrames& frames, const Eigen::VectorXd& moves) const;
   /// Applies the transpose of Prolong to a gradient of the finer mesh.
-  Eigen::VectorXd Restrict(const BoundaryCurves& curves, const Eigen::VectorXd& gradient) const;
+  Eigen::VectorXd Restrict(const BoundaryCurves& curves, const TangentFrames& fineFrames,
+    const TangentFrames& frames, const Eigen::VectorXd& gradient) const;
 
 private:
   /// The interpolation of a point of the finer mesh: the corners of its coarse cell and their
@@ -60,8 +63,8 @@ private:
   };
   template <typename Function>
   void ForEachLink(const Function& function) const;
-  /// Returns the tangents at the coarser mesh's boundary points, 0 inside.
-  Eigen::VectorXd Tangents(const BoundaryCurves& curves) const;
+  /// Returns the unit tangents at the coarser mesh's boundary points, 0 inside.
+  std::vector<SpacePoint> Tangents(const BoundaryCurves& curves) const;
 
   const QuadMesh& Fine;
   const std::vector<QuadLattice>& FineLattices;

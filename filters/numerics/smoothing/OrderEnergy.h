@@ -1,6 +1,6 @@
 #pragma once
 
-#include "QuadMesh.h"
+#include "TangentFrames.h"
 
 #include <Eigen/Core>
 
@@ -8,12 +8,6 @@
 
 namespace crossfield
 {
-/// Returns the index of the first of the two unknowns of a point.
-inline Eigen::Index FirstUnknown(int point)
-{
-  return 2 * static_cast<Eigen::Index>(point);
-}
-
 /// The energy that keeps points that slide along the boundary in order: the sum of
 /// d + 1/d + t³ / (1 − t) over boundary edges, d the length along the boundary over the target,
 /// t = max(0, (c − 1/8) / (LongestPartOfLoop − 1/8)), c the part of the loop, so that no edge leads

@@ -27,12 +27,15 @@ struct QuadFrame
   double Determinant(std::size_t i, std::size_t j) const { return Cross(this->a[i], this->b[j]); }
 };
 
-QuadFrame FrameOf(const QuadMesh& mesh, const Eigen::VectorXd& positions, std::size_t quad)
+QuadFrame FrameOf(const QuadMesh& mesh, const TangentFrames& frames,
+  const Eigen::VectorXd& positions, std::size_t quad)
 {
-  const std::array<int, 4>& points = mesh.quads[quad];
-  const auto at = [&positions](int point) -> Point
-  { return positions.segment<2>(FirstUnknown(point)); };
-  const std::array<Point, 4> p = { at(points[0]), at(points[1]), at(points[2]), at(points[3]) };
+  const auto at = [&](std::size_t corner) -> Point
+  {
+    return frames.InQuad(
+      quad, corner, positions.segment<2>(FirstUnknown(mesh.quads[quad][corner])));
+  };
+  const std::array<Point, 4> p = { at(0), at(1), at(2), at(3) };
   QuadFrame frame;
   frame.inverseA = 1.0 / mesh.targetLengths[quad][0];
   frame.inverseB = 1.0 / mesh.targetLengths[quad][1];
@@ -50,11 +53,13 @@ double Regularised(double determinant, double root, double epsilon)
 }
 
 QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
-  const std::vector<bool>& moves, double sizePart, std::vector<double> weights)
+  const std::vector<bool>& moves, double sizePart, std::vector<double> weights,
+  const SurfaceWalk* surface)
   : Mesh(mesh)
   , Curves(curves)
   , SizePart(sizePart)
   , Weights(std::move(weights))
+  , Frames(mesh, surface)
 {
   const auto size = 2 * static_cast<Eigen::Index>(mesh.points.size());
   this->Diagonal = Eigen::VectorXd::Zero(size);
@@ -111,7 +116,8 @@ Eigen::VectorXd QuadEnergy::Unknowns() const
   Eigen::VectorXd unknowns(this->Diagonal.size());
   for (int p = 0; p < static_cast<int>(this->Mesh.points.size()); ++p)
   {
-    unknowns.segment<2>(FirstUnknown(p)) = this->Mesh.points[p].InPlane();
+    unknowns.segment<2>(FirstUnknown(p)) =
+      this->Frames.CoordinatesOf(p, this->Mesh.points[p].place);
   }
   for (const int p : this->OnBoundary)
   {
@@ -154,23 +160,26 @@ Eigen::VectorXd QuadEnergy::WithoutImages(Eigen::VectorXd gradient) const
   return gradient;
 }
 
-void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
+double QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
 {
-  std::vector<CurvePlace> curves;
-  curves.reserve(this->OnBoundary.size());
+  std::vector<bool> slides(mesh.points.size(), false);
   for (const int p : this->OnBoundary)
   {
-    curves.push_back({ mesh.points[p].curve.loop, unknowns[FirstUnknown(p)] });
+    slides[p] = true;
+    QuadPoint& point = mesh.points[p];
+    point.curve.at = unknowns[FirstUnknown(p)];
+    this->Frames.MoveTo(p, this->Curves.PlaceAt(point.curve), point);
   }
+  double farthest = 0.0;
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
   {
-    mesh.points[p].MoveTo(unknowns.segment<2>(FirstUnknown(p)));
-  }
-  for (std::size_t i = 0; i < curves.size(); ++i)
-  {
-    QuadPoint& point = mesh.points[this->OnBoundary[i]];
-    point.curve = curves[i];
-    point.MoveTo(this->Curves.At(point.curve));
+    if (!slides[p])
+    {
+      const Eigen::Index first = FirstUnknown(p);
+      const double distance = this->Frames.Move(p, unknowns.segment<2>(first), mesh.points[p]);
+      // The diagonal is 32 / length² at a point of four squares.
+      farthest = std::max(farthest, distance * std::sqrt(this->Diagonal[first] / 32.0));
+    }
   }
   for (const Image& image : this->Images)
   {
@@ -178,6 +187,7 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
     point.MoveTo(image.motion(mesh.points[image.first].InPlane()));
     point.curve = this->Curves.NearestOn(*image.pair, 1, point.curve.loop, point.InPlane());
   }
+  return farthest;
 }
 
 void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
@@ -190,8 +200,8 @@ void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
     MinimumUnknowns);
   for (const int p : this->OnBoundary)
   {
-    this->Positions.segment<2>(FirstUnknown(p)) =
-      this->Curves.At({ this->Mesh.points[p].curve.loop, unknowns[FirstUnknown(p)] });
+    this->Positions.segment<2>(FirstUnknown(p)) = this->Frames.CoordinatesOf(
+      p, this->Curves.PlaceAt({ this->Mesh.points[p].curve.loop, unknowns[FirstUnknown(p)] }));
   }
   for (const Image& image : this->Images)
   {
@@ -206,7 +216,7 @@ double QuadEnergy::RangeValue(int begin, int end, double epsilon, const StoreQua
   double energy = 0.0;
   for (std::size_t q = Index(begin); q < Index(end); ++q)
   {
-    const QuadFrame frame = FrameOf(this->Mesh, this->Positions, q);
+    const QuadFrame frame = FrameOf(this->Mesh, this->Frames, this->Positions, q);
     const double weight = this->Weights[q];
     std::array<Point, 2> byA = { Point::Zero(), Point::Zero() };
     std::array<Point, 2> byB = { Point::Zero(), Point::Zero() };
@@ -243,11 +253,15 @@ double QuadEnergy::RangeValue(int begin, int end, double epsilon, const StoreQua
         byB[j] += byNorm * b + byDeterminant * TurnedLeft(a);
       }
     }
-    store(q,
-      std::array<Point, 4>{ Point(-(frame.inverseA * byA[0] + frame.inverseB * byB[0])),
-        Point(frame.inverseA * byA[0] - frame.inverseB * byB[1]),
-        Point(frame.inverseA * byA[1] + frame.inverseB * byB[1]),
-        Point(frame.inverseB * byB[0] - frame.inverseA * byA[1]) });
+    std::array<Point, 4> gradient = { Point(-(frame.inverseA * byA[0] + frame.inverseB * byB[0])),
+      Point(frame.inverseA * byA[0] - frame.inverseB * byB[1]),
+      Point(frame.inverseA * byA[1] + frame.inverseB * byB[1]),
+      Point(frame.inverseB * byB[0] - frame.inverseA * byA[1]) };
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      gradient[c] = this->Frames.FromQuad(q, c, gradient[c]);
+    }
+    store(q, gradient);
   }
   return energy;
 }
@@ -338,10 +352,10 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   }
   for (const int p : this->OnBoundary)
   {
-    const Point inPlane = gradient->segment<2>(FirstUnknown(p));
+    const Point byCoordinates = gradient->segment<2>(FirstUnknown(p));
     const int loop = this->Mesh.points[p].curve.loop;
-    gradient->segment<2>(FirstUnknown(p))
-      << inPlane.dot(this->Curves.Tangent({ loop, unknowns[FirstUnknown(p)] })),
+    const SpacePoint along = this->Curves.DirectionAt({ loop, unknowns[FirstUnknown(p)] });
+    gradient->segment<2>(FirstUnknown(p)) << byCoordinates.dot(this->Frames.ComponentsOf(p, along)),
       0.0;
   }
   if (this->Slope.size() > 0)
@@ -388,7 +402,7 @@ double QuadEnergy::MinimumDeterminant(const Eigen::VectorXd& unknowns)
       const auto [begin, end] = PartRange(quads, part, minima.size());
       for (std::size_t q = Index(begin); q < Index(end); ++q)
       {
-        const QuadFrame frame = FrameOf(this->Mesh, this->Positions, q);
+        const QuadFrame frame = FrameOf(this->Mesh, this->Frames, this->Positions, q);
         minimum = std::min({ minimum, frame.Determinant(0, 0), frame.Determinant(0, 1),
           frame.Determinant(1, 0), frame.Determinant(1, 1) });
       }

@@ -21,16 +21,16 @@ constexpr std::ptrdiff_t MinimumUnknowns = 20000;
 /// The minimum is 2, where J is a rotation. The energy is the sum of 2/p (f/2)^p, p = 1 unless
 /// SetPower changes it: the larger p, the more evenly it distributes a deviation that cannot vanish.
 ///
-/// There are two unknowns per point: inside, its position; on the boundary, the length along the
-/// polyline, and 0. Fixed points have unknowns as well, with zero gradient, and so have images of
+/// There are two unknowns per point: inside, its coordinates (TangentFrames); on the boundary, the length along
+/// the polyline, and 0. On a surface, corners are seen in the planes of their quads. Fixed points have unknowns as well, with zero gradient, and so have images of
 /// points of periodic sides, which move with these points.
 class QuadEnergy
 {
 public:
   /// Constructs the energy of a mesh. `moves` marks the points that are not fixed, `sizePart` is a,
-  /// `weights` are factors of the quads.
+  /// `weights` are factors of the quads, `surface` is null in the plane.
   QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves, const std::vector<bool>& moves,
-    double sizePart, std::vector<double> weights);
+    double sizePart, std::vector<double> weights, const SurfaceWalk* surface = nullptr);
 
   /// Returns the unknowns of the mesh as it is.
   Eigen::VectorXd Unknowns() const;
@@ -45,8 +45,10 @@ public:
   Eigen::VectorXd WithImages(Eigen::VectorXd moves) const;
   /// Applies the transpose of WithImages to a gradient.
   Eigen::VectorXd WithoutImages(Eigen::VectorXd gradient) const;
-  /// Moves the points of a mesh to the given unknowns.
-  void Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const;
+  /// Moves the points of a mesh to the given unknowns. Returns how far a point is at most from where its tangent plane
+  /// has it, in parts of its edges.
+  double Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const;
+  const TangentFrames& GetFrames() const { return this->Frames; }
   /// Returns the energy if all quads are their target rectangles, the minimum possible.
   double IdealValue() const { return this->Ideal / this->Power; }
   /// Returns the energy, and its gradient if requested. With ε = 0 it is infinite if a corner is
@@ -77,12 +79,13 @@ private:
   /// each of them.
   template <typename StoreQuad>
   double RangeValue(int begin, int end, double epsilon, const StoreQuad& store) const;
-  /// Returns the energy of all quads, and sets its gradient in the plane if requested.
+  /// Returns the energy of all quads, and sets its gradient by the coordinates if requested.
   double QuadsValue(double epsilon, Eigen::VectorXd* gradient);
   const QuadMesh& Mesh;
   const BoundaryCurves& Curves;
   const double SizePart;
   const std::vector<double> Weights;
+  const TangentFrames Frames;
   double Power = 1.0;
   double Ideal = 0.0;     ///< With p = 1.
   std::vector<int> Fixed; ///< Fixed points and images.
@@ -92,7 +95,7 @@ private:
   Eigen::VectorXd Diagonal;
   Eigen::VectorXd Slope;                     ///< The tilt, empty if there is none.
   Eigen::VectorXd Origin;                    ///< Unknowns at which the tilt vanishes.
-  Eigen::VectorXd Positions;                 ///< Positions of all points.
+  Eigen::VectorXd Positions;                 ///< Coordinates of all points.
   std::vector<std::array<Point, 4>> OfQuads; ///< Gradients of the quads, if they are in parts.
   std::optional<PointCorners> Corners;       ///< Made for gradients in several parts.
 };

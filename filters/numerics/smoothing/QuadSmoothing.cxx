@@ -52,11 +52,50 @@ struct Level
   const std::vector<QuadLattice>& lattices;
 };
 
+/// How good a mesh is: first by the number of inverted quads, then by the minimum scaled Jacobian.
+struct Rank
+{
+  int inverted = 0;
+  double minimum = 1.0;
+
+  bool IsBetterThan(const Rank& other) const
+  {
+    return this->inverted != other.inverted ? this->inverted < other.inverted
+                                            : this->minimum > other.minimum;
+  }
+};
+
+Rank RankOf(const QuadMesh& mesh)
+{
+  const auto quads = static_cast<std::ptrdiff_t>(mesh.quads.size());
+  std::vector<Rank> ranks(PartCount(quads));
+  ForParts(ranks.size(),
+    [&](std::size_t part)
+    {
+      Rank& rank = ranks[part];
+      const auto [begin, end] = PartRange(quads, part, ranks.size());
+      for (std::size_t q = Index(begin); q < Index(end); ++q)
+      {
+        const double jacobian = ScaledJacobian(mesh, q);
+        rank.inverted += jacobian <= 0.0 ? 1 : 0;
+        rank.minimum = std::min(rank.minimum, jacobian);
+      }
+    });
+  Rank rank;
+  for (const Rank& part : ranks)
+  {
+    rank.inverted += part.inverted;
+    rank.minimum = std::min(rank.minimum, part.minimum);
+  }
+  return rank;
+}
+
 class Smoother
 {
 public:
-  Smoother(const BoundaryCurves& curves, bool release, double sizePart)
-    : Curves(curves)
+  Smoother(const SmoothingDomain& domain, bool release, double sizePart)
+    : Curves(domain.curves)
+    , Surface(domain.surface)
     , Release(release)
     , SizePart(sizePart)
   {
@@ -64,12 +103,92 @@ public:
 
   QuadEnergy EnergyOf(const QuadMesh& mesh, const std::vector<double>& weights) const
   {
-    return { mesh, this->Curves, this->Moves(mesh), this->SizePart, weights };
+    return { mesh, this->Curves, this->Moves(mesh), this->SizePart, weights, this->Surface };
   }
 
-  /// Minimises the energy of a mesh, with a tilt if it is not empty. Returns the number of steps on
-  /// the mesh itself.
-  int Smooth(const Level& level, const Eigen::VectorXd& tilt, const Progress& progress) const
+  /// Minimises the energy of a mesh. Returns the number of steps on the mesh itself.
+  int Smooth(const Level& level, const Progress& progress) const
+  {
+    return this->InRounds(
+      level.mesh, SurfaceRounds, [&] { return this->SmoothOnce(level, {}, progress); });
+  }
+
+  /// Smooths some rings around every singularity, periodic side and inverted quad until convergence:
+  /// there quads vary most, and a coarser mesh is least accurate.
+  void SmoothNearCones(QuadMesh& mesh) const
+  {
+    this->InRounds(mesh, SurfaceRounds, [&] { return this->SmoothNearConesOnce(mesh); });
+  }
+
+  /// Distributes a deviation that cannot vanish: minimises sums of growing powers of the energy of
+  /// corners. Returns the number of steps.
+  int Even(QuadMesh& mesh, const Progress& progress) const
+  {
+    // Each descent starts with the smallest power, and so moves points again.
+    constexpr int Few = 2;
+    return this->InRounds(mesh, Few, [&] { return this->EvenOnce(mesh, progress); });
+  }
+
+  /// Displaces the points of a mesh that are not fixed, and untangles quads that this inverts
+  /// together with their surroundings.
+  void Displace(const Level& level, const Eigen::VectorXd& displacement) const
+  {
+    QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
+    const Eigen::VectorXd moved = energy.Unknowns() + energy.Masked(displacement);
+    energy.Store(moved, level.mesh);
+    if (energy.MinimumDeterminant(moved) <= 0.0)
+    {
+      this->SmoothNearCones(level.mesh);
+    }
+  }
+
+private:
+  /// Most descents on a surface: enough where quads are smaller than its radius of curvature.
+  static constexpr int SurfaceRounds = 6;
+
+  /// What one descent did.
+  struct Descent
+  {
+    int steps = 0;
+    double distance = 0.0; ///< That of QuadEnergy::Store.
+  };
+
+  /// Repeats a descent on a surface until its tangent planes are near the surface, each time with new ones, unless it
+  /// inverts quads: that is undone. Returns the number of steps.
+  template <typename Once>
+  int InRounds(QuadMesh& mesh, int rounds, const Once& once) const
+  {
+    if (this->Surface == nullptr)
+    {
+      return once().steps;
+    }
+    constexpr double Near = 1e-3; // of an edge: hardly visible
+    SetNormals(*this->Surface, mesh);
+    int steps = 0;
+    for (int round = 0; round < rounds; ++round)
+    {
+      const std::vector<QuadPoint> before = mesh.points;
+      const int inverted = RankOf(mesh).inverted;
+      const Descent descent = once();
+      steps += descent.steps;
+      SetNormals(*this->Surface, mesh);
+      if (RankOf(mesh).inverted > inverted)
+      {
+        mesh.points = before;
+        SetNormals(*this->Surface, mesh);
+        break;
+      }
+      if (descent.distance < Near)
+      {
+        break;
+      }
+    }
+    return steps;
+  }
+
+  /// Minimises the energy of a mesh, with a tilt if it is not empty.
+  Descent SmoothOnce(
+    const Level& level, const Eigen::VectorXd& tilt, const Progress& progress) const
   {
     QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
     QuadDescent descent(energy);
@@ -96,32 +215,28 @@ public:
       steps += descent.Descend(
         0.0, large ? BesideCoarser : Alone, unknowns, progress.Part(large ? 0.6 : 0.0, 1.0));
     }
-    energy.Store(unknowns, level.mesh);
-    return steps;
+    return { steps, energy.Store(unknowns, level.mesh) };
   }
 
-  /// Smooths some rings around every singularity, periodic side and inverted quad until convergence:
-  /// there quads vary most, and a coarser mesh is least accurate.
-  void SmoothNearCones(QuadMesh& mesh) const
+  Descent SmoothNearConesOnce(QuadMesh& mesh) const
   {
     constexpr int Rings = 12; // six rings of a coarser mesh
     QuadPart part(mesh, this->Moves(mesh), Rings);
     QuadEnergy energy(part.mesh, this->Curves, part.moves, this->SizePart,
-      std::vector<double>(part.mesh.quads.size(), 1.0));
+      std::vector<double>(part.mesh.quads.size(), 1.0), this->Surface);
     QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
-    this->Untangle(energy, descent, unknowns, {});
+    Descent result = { this->Untangle(energy, descent, unknowns, {}), 0.0 };
     if (energy.MinimumDeterminant(unknowns) > 0.0)
     {
-      descent.Descend(0.0, Alone, unknowns);
-      energy.Store(unknowns, part.mesh);
+      result.steps += descent.Descend(0.0, Alone, unknowns);
+      result.distance = energy.Store(unknowns, part.mesh);
       part.CopyPoints(mesh);
     }
+    return result;
   }
 
-  /// Distributes a deviation that cannot vanish: minimises sums of growing powers of the energy of
-  /// corners. Returns the number of steps.
-  int Even(QuadMesh& mesh, const Progress& progress) const
+  Descent EvenOnce(QuadMesh& mesh, const Progress& progress) const
   {
     QuadEnergy energy = this->EnergyOf(mesh, std::vector<double>(mesh.quads.size(), 1.0));
     energy.HoldOrderOnBoundary();
@@ -129,7 +244,7 @@ public:
     Eigen::VectorXd unknowns = energy.Unknowns();
     if (!(energy.MinimumDeterminant(unknowns) > 0.0))
     {
-      return 0;
+      return {};
     }
     int steps = 0;
     for (const double power : { 2.0, 4.0, 8.0, 16.0, 32.0 })
@@ -137,24 +252,9 @@ public:
       energy.SetPower(power);
       steps += descent.Descend(0.0, Alone, unknowns, progress);
     }
-    energy.Store(unknowns, mesh);
-    return steps;
+    return { steps, energy.Store(unknowns, mesh) };
   }
 
-  /// Displaces the points of a mesh that are not fixed, and untangles quads that this inverts
-  /// together with their surroundings.
-  void Displace(const Level& level, const Eigen::VectorXd& displacement) const
-  {
-    QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
-    const Eigen::VectorXd moved = energy.Unknowns() + energy.Masked(displacement);
-    energy.Store(moved, level.mesh);
-    if (energy.MinimumDeterminant(moved) <= 0.0)
-    {
-      this->SmoothNearCones(level.mesh);
-    }
-  }
-
-private:
   /// Returns which points are not fixed.
   std::vector<bool> Moves(const QuadMesh& mesh) const
   {
@@ -215,11 +315,14 @@ private:
     {
       return;
     }
-    this->Smooth({ coarse.mesh, coarse.weights, coarse.lattices },
-      coarseGradient - coarseEnergy.WithoutImages(coarse.Restrict(this->Curves, gradient)),
+    const TangentFrames& frames = energy.GetFrames();
+    const TangentFrames& coarseFrames = coarseEnergy.GetFrames();
+    this->SmoothOnce({ coarse.mesh, coarse.weights, coarse.lattices },
+      coarseGradient -
+        coarseEnergy.WithoutImages(coarse.Restrict(this->Curves, frames, coarseFrames, gradient)),
       progress);
-    const Eigen::VectorXd displacement = energy.Masked(
-      coarse.Prolong(this->Curves, coarseEnergy.WithImages(coarseEnergy.Unknowns() - start)));
+    const Eigen::VectorXd displacement = energy.Masked(coarse.Prolong(this->Curves, frames,
+      coarseFrames, coarseEnergy.WithImages(coarseEnergy.Unknowns() - start)));
     for (double length = 1.0; length > 0.1; length *= 0.5)
     {
       const Eigen::VectorXd next = unknowns + length * displacement;
@@ -232,47 +335,10 @@ private:
   }
 
   const BoundaryCurves& Curves;
+  const SurfaceWalk* const Surface;
   const bool Release;
   const double SizePart;
 };
-
-/// How good a mesh is: first by the number of inverted quads, then by the minimum scaled Jacobian.
-struct Rank
-{
-  int inverted = 0;
-  double minimum = 1.0;
-
-  bool IsBetterThan(const Rank& other) const
-  {
-    return this->inverted != other.inverted ? this->inverted < other.inverted
-                                            : this->minimum > other.minimum;
-  }
-};
-
-Rank RankOf(const QuadMesh& mesh)
-{
-  const auto quads = static_cast<std::ptrdiff_t>(mesh.quads.size());
-  std::vector<Rank> ranks(PartCount(quads));
-  ForParts(ranks.size(),
-    [&](std::size_t part)
-    {
-      Rank& rank = ranks[part];
-      const auto [begin, end] = PartRange(quads, part, ranks.size());
-      for (std::size_t q = Index(begin); q < Index(end); ++q)
-      {
-        const double jacobian = ScaledJacobian(mesh, q);
-        rank.inverted += jacobian <= 0.0 ? 1 : 0;
-        rank.minimum = std::min(rank.minimum, jacobian);
-      }
-    });
-  Rank rank;
-  for (const Rank& part : ranks)
-  {
-    rank.inverted += part.inverted;
-    rank.minimum = std::min(rank.minimum, part.minimum);
-  }
-  return rank;
-}
 
 /// Improves the worst quads where target lengths cannot be met: with the lengths that the mesh has
 /// as targets, right angles count and sizes follow.
@@ -305,8 +371,7 @@ public:
     {
       SetMeasuredLengths(mesh);
       const Progress part = progress.Part(0.5 * round / Rounds, 0.5 * (round + 1.0) / Rounds);
-      steps +=
-        round < Rounds ? this->Shapes.Smooth(this->At, {}, part) : this->Shapes.Even(mesh, part);
+      steps += round < Rounds ? this->Shapes.Smooth(this->At, part) : this->Shapes.Even(mesh, part);
       this->Keep();
     }
     mesh.points = this->Points;
@@ -334,11 +399,11 @@ private:
 
 /// Smooths for uniform sizes. Displacements are large, so a coarser mesh is smoothed first, with
 /// singularities fixed and then free. Returns the number of steps on the mesh itself.
-int SmoothUniform(const Level& level, const BoundaryCurves& curves, double sizePart, bool hold,
+int SmoothUniform(const Level& level, const SmoothingDomain& domain, double sizePart, bool hold,
   const Progress& progress)
 {
-  const Smoother fixed(curves, false, sizePart);
-  const Smoother released(curves, !hold, sizePart);
+  const Smoother fixed(domain, false, sizePart);
+  const Smoother released(domain, !hold, sizePart);
   if (level.mesh.quads.size() > MaximumAlone && !level.lattices.empty())
   {
     CoarseQuads coarse(level.mesh, level.lattices);
@@ -346,12 +411,14 @@ int SmoothUniform(const Level& level, const BoundaryCurves& curves, double sizeP
     {
       const QuadEnergy energy = released.EnergyOf(coarse.mesh, coarse.weights);
       const Eigen::VectorXd before = energy.Unknowns();
-      SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, curves, sizePart, hold,
+      SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, domain, sizePart, hold,
         progress.Part(0.0, 0.4));
       const Eigen::VectorXd moves = energy.WithImages(energy.Unknowns() - before);
       const std::vector<QuadPoint> start = level.mesh.points;
-      released.Displace(level, coarse.Interpolate(curves, moves));
-      const int steps = released.Smooth(level, {}, progress.Part(0.4, 1.0));
+      const TangentFrames frames(level.mesh, domain.surface);
+      released.Displace(
+        level, coarse.Interpolate(domain.curves, frames, energy.GetFrames(), moves));
+      const int steps = released.Smooth(level, progress.Part(0.4, 1.0));
       released.SmoothNearCones(level.mesh);
       if (RankOf(level.mesh).inverted == 0)
       {
@@ -360,14 +427,15 @@ int SmoothUniform(const Level& level, const BoundaryCurves& curves, double sizeP
       level.mesh.points = start;
     }
   }
-  const int steps = fixed.Smooth(level, {}, progress.Part(0.0, 0.5));
-  return hold ? steps : steps + released.Smooth(level, {}, progress.Part(0.5, 1.0));
+  const int steps = fixed.Smooth(level, progress.Part(0.0, 0.5));
+  return hold ? steps : steps + released.Smooth(level, progress.Part(0.5, 1.0));
 }
 }
 
-SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
+SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const SmoothingDomain& domain,
   std::optional<double> sizePart, bool hold, const Progress& progress)
 {
+  const BoundaryCurves& curves = domain.curves;
   SmoothingReport report;
   const bool large = mesh.quads.size() > MaximumAlone;
   const std::vector<QuadLattice> lattices =
@@ -375,6 +443,10 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const std::vector<double> weights(mesh.quads.size(), 1.0);
   const Level level = { mesh, weights, lattices };
   const std::vector<QuadPoint> start = mesh.points;
+  if (domain.surface != nullptr)
+  {
+    SetNormals(*domain.surface, mesh);
+  }
   const Rank rankAtStart = RankOf(mesh);
   if (rankAtStart.inverted > 0 || HasLongEdges(mesh, curves, LongestPartAtStart))
   {
@@ -384,16 +456,16 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
     MatchPairs(curves, mesh);
   }
   const std::vector<QuadPoint> ordered = mesh.points;
-  const Smoother fixed(curves, false, sizePart.value_or(ConformalSizePart));
-  const Smoother released(curves, true, sizePart.value_or(ConformalSizePart));
+  const Smoother fixed(domain, false, sizePart.value_or(ConformalSizePart));
+  const Smoother released(domain, true, sizePart.value_or(ConformalSizePart));
   if (sizePart)
   {
-    report.iterations = SmoothUniform(level, curves, *sizePart, hold, progress.Part(0.0, 0.6));
+    report.iterations = SmoothUniform(level, domain, *sizePart, hold, progress.Part(0.0, 0.6));
     report.released = !hold;
   }
   else
   {
-    report.iterations = fixed.Smooth(level, {}, progress.Part(0.0, 0.6));
+    report.iterations = fixed.Smooth(level, progress.Part(0.0, 0.6));
     if (large)
     {
       fixed.SmoothNearCones(mesh);
@@ -405,7 +477,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   {
     report.released = true;
     mesh.points = ordered; // moves of the first attempt are in the way
-    report.iterations += released.Smooth(level, {}, progress.Part(0.8, 0.9));
+    report.iterations += released.Smooth(level, progress.Part(0.8, 0.9));
     report.iterations += ShapeSearch(released, level).Run(progress.Part(0.9, 1.0));
   }
   const Rank rank = RankOf(mesh);
@@ -416,6 +488,10 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
     mesh.points = start;
     report.keptStart = true;
     report.released = false;
+  }
+  if (domain.surface != nullptr)
+  {
+    SetNormals(*domain.surface, mesh);
   }
   for (std::size_t p = 0; report.released && p < mesh.points.size(); ++p)
   {

@@ -19,6 +19,13 @@ struct SmoothingReport
   bool isAsymmetric = false;
 };
 
+/// Where the points of a mesh are.
+struct SmoothingDomain
+{
+  const BoundaryCurves& curves;
+  const SurfaceWalk* surface = nullptr; ///< Null in the plane.
+};
+
 /// Smooths a mesh with fixed connectivity (docs/method.md §14.5): minimises QuadEnergy by L-BFGS,
 /// with ε decreasing to zero if the start has corners that are not positive. A large mesh takes a
 /// few steps, with corrections from coarser meshes of every second line of its blocks, so the cost
@@ -30,6 +37,9 @@ struct SmoothingReport
 /// and those of the smoothed mesh are not. With the sizes of the map it is absent.
 ///
 /// `hold` keeps inner singularities fixed in any case.
-SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
+///
+/// On a surface, each descent is repeated with the tangent planes at the new places (docs/method.md §22.8). Draft points
+/// have triangles there; the normals of quads are set.
+SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const SmoothingDomain& domain,
   std::optional<double> sizePart, bool hold, const Progress& progress = {});
 }

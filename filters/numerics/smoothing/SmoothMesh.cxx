@@ -258,7 +258,8 @@ SmoothedMesh SmoothMesh(
   {
     blocks = {};
   }
-  SmoothQuads(quads, blocks, BoundaryCurves(reading.Loops),
+  const BoundaryCurves curves(reading.Loops);
+  SmoothQuads(quads, blocks, { curves },
     options.uniform ? std::optional<double>(UniformSizePart) : std::nullopt, false,
     progress.Part(0.2, 1.0));
   result.after = MeasureQuads(quads, size);

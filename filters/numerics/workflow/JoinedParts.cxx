@@ -48,6 +48,18 @@ void Join(const Range& from, std::size_t count, std::size_t before, Range& to)
   to.max = before == 0 ? from.max : std::max(to.max, from.max);
 }
 
+void Join(const SurfaceQuality& from, std::size_t count, std::size_t before, SurfaceQuality& to)
+{
+  const double all = static_cast<double>(before + count);
+  to.minimumJacobian = std::min(to.minimumJacobian, from.minimumJacobian);
+  to.meanDistance = (static_cast<double>(before) * to.meanDistance +
+                      static_cast<double>(count) * from.meanDistance) /
+    all;
+  to.maximumDistance = std::max(to.maximumDistance, from.maximumDistance);
+  to.mostBent = from.bent > to.bent ? from.mostBent : to.mostBent;
+  to.bent += from.bent;
+}
+
 /// Joins the qualities of meshes of `count` and `before` quads.
 void Join(const QuadQuality& from, std::size_t count, std::size_t before, QuadQuality& to)
 {
@@ -71,6 +83,10 @@ void Join(const QuadQuality& from, std::size_t count, std::size_t before, QuadQu
   to.bound = std::min(to.bound, from.bound);
   to.minimumAngle = std::min(to.minimumAngle, from.minimumAngle);
   to.inverted += from.inverted;
+  if (from.surface && to.surface)
+  {
+    Join(*from.surface, count, before, *to.surface);
+  }
 }
 
 void Join(const EdgeCounts& from, EdgeCounts& to)

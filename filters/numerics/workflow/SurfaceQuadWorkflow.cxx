@@ -36,13 +36,21 @@ PartOfQuads MakeQuadsOfPart(
   result.quads = MakeSurfaceQuads(layout, options, progress.Part(0.7, 1.0));
   result.seconds.integers = result.quads.counts.seconds;
   result.seconds.layout = result.quads.layoutSeconds;
+  result.seconds.smooth = result.quads.smoothSeconds;
   result.holonomyDefect = layout.map.holonomyDefect;
   result.blocks.none = result.quads.separateBlocks;
   result.events = part.events;
   if (result.quads.quality.inverted > 0)
   {
-    result.warnings.push_back(CountInverted(result.quads.quality) +
-      "; use smaller quads: those of surfaces are not smoothed.");
+    result.warnings.push_back(CountInverted(result.quads.quality) + "; use smaller quads.");
+  }
+  const SurfaceQuality& onSurface = *result.quads.quality.surface;
+  if (onSurface.bent > 0)
+  {
+    result.warnings.push_back("The surface turns by more than 60 degrees within " +
+      std::to_string(onSurface.bent) + (onSurface.bent == 1 ? " quad" : " quads") + ", most near " +
+      DescribePlace(onSurface.mostBent) +
+      "; use smaller quads where it is curved. Sharp edges are not followed yet.");
   }
   made.loops = part.topology->loops.size();
   return made;
@@ -70,7 +78,7 @@ QuadWorkflowResult MakeQuadsOfSurface(
       const double begin = done;
       done = std::min(1.0, done + share);
       return MakeQuadsOfPart(
-        found.parts[p], { request.quadSize, count }, progress.Part(begin, done));
+        found.parts[p], { request.quadSize, count, request.hold }, progress.Part(begin, done));
     });
   result.seconds.mesh = placeSeconds;
   result.events.insert(result.events.begin(), found.events.begin(), found.events.end());

@@ -11,10 +11,10 @@ struct SurfaceRequest
   std::vector<SurfaceSingularity> singularities;
   double quadSize = 0.0; ///< Side length of quads; 0: derived from quadCount.
   int quadCount = DefaultQuads;
+  bool hold = false; ///< SurfaceQuadOptions::hold.
 };
 
-/// Makes quads of a surface in space with the given singularities, each in the nearest part; their nodes are at their places
-/// in the map and not smoothed (docs/method.md §22.6). Parts share the number of quads by their areas. Of the result, what
+/// Makes quads of a surface in space with the given singularities, each in the nearest part (docs/method.md §22.6). Parts share the number of quads by their areas. Of the result, what
 /// concerns positions in a plane is empty; singularities are the irregular nodes.
 ///
 /// Throws Error as PlaceCones, SolveSurfaceMap and MakeSurfaceQuads do, and if the quarter indices of a part do not

@@ -91,6 +91,13 @@ void Write(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFi
   ColumnWriting::AddNumbers(
     data, names::ScaledJacobianRange, { quality.jacobian.min, quality.jacobian.mean });
   ColumnWriting::AddNumbers(data, names::ScaledJacobianBound, { quality.bound });
+  if (quality.surface)
+  {
+    ColumnWriting::AddNumbers(
+      data, names::ScaledJacobianBySurface, { quality.surface->minimumJacobian });
+    ColumnWriting::AddNumbers(data, names::SurfaceDistance,
+      { quality.surface->meanDistance, quality.surface->maximumDistance });
+  }
   ColumnWriting::AddNumbers(data, names::MinimumAngle, { Degrees(quality.minimumAngle) });
   ColumnWriting::AddNumbers(data, names::EtaRange, { quality.eta.min, quality.eta.mean });
   ColumnWriting::AddNumbers(

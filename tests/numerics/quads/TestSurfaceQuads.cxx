@@ -1,3 +1,5 @@
+#include "ArcSpacing.h"
+#include "QuadBuilder.h"
 #include "Support.h"
 #include "SurfaceMap.h"
 #include "SurfaceQuads.h"
@@ -88,6 +90,7 @@ TEST(SurfaceQuads, AreThoseOfThePlaneWhenAMeshIsBent)
   flat.triangles = mesh.triangles;
   SurfaceQuadOptions options;
   options.quadSize = 0.04;
+  options.smooth = false;
   const QuadResult planar = MakeSurfaceQuads(LayOutSurface(flat, cones), options);
   const QuadResult bent =
     MakeSurfaceQuads(LayOutSurface(BentAtRandom(mesh, N, 556), cones), options);
@@ -204,6 +207,117 @@ TEST(SurfaceQuads, OfRandomSingularitiesOnATorusHaveTheirValences)
     }
   }
   EXPECT_EQ(made, 5);
+}
+
+/// Returns smooth quads of a planar mesh with given edge counts, of a size.
+QuadMesh PlanarQuads(const TriangleMesh& mesh, const std::vector<Cone>& cones,
+  const std::vector<int>& counts, double size)
+{
+  const SharedPlanarTopology topology = ShareTopology(mesh);
+  const SeamlessMap map = SolveSurfaceMap(topology, cones);
+  const TMesh tMesh = MakeTMesh(map, TraceSeparatrices(map));
+  const MeshBoundary curves(*topology);
+  QuadMesh quads = BuildQuads(map, curves, tMesh, counts, EqualSpacing(tMesh, counts), size);
+  SmoothQuads(quads, FindBlocks(quads), { curves }, std::nullopt, false);
+  return quads;
+}
+
+TEST(SurfaceQuads, AreSmoothedAsInThePlane)
+{
+  constexpr int N = 12;
+  const TriangleMesh mesh = GridOfSquare(N);
+  const std::vector<Cone> cones = ConesOfSquare(N);
+  for (const double size : { 0.04, 0.01 }) // without and with coarser meshes
+  {
+    SurfaceQuadOptions options;
+    options.quadSize = size;
+    const QuadResult turned =
+      MakeSurfaceQuads(LayOutSurface(BentAtRandom(mesh, N, 0, 0.0), cones), options);
+    const QuadMesh planar = PlanarQuads(mesh, cones, turned.counts.counts, size);
+    ASSERT_EQ(planar.quads, turned.mesh.quads);
+    const Eigen::Matrix3d turn = TurnOfBent();
+    double largest = 0.0;
+    for (std::size_t p = 0; p < planar.points.size(); ++p)
+    {
+      largest =
+        std::max(largest, (turn * planar.points[p].place - turned.mesh.points[p].place).norm());
+    }
+    EXPECT_LT(largest, 1e-8);
+    EXPECT_LT(turned.quality.surface->maximumDistance, 1e-14);
+    EXPECT_NEAR(turned.quality.surface->minimumJacobian, turned.quality.jacobian.min, 1e-12);
+    const QuadResult bent =
+      MakeSurfaceQuads(LayOutSurface(BentAtRandom(mesh, N, 605, 0.1), cones), options);
+    EXPECT_EQ(planar.quads, bent.mesh.quads);
+    EXPECT_GT(bent.quality.jacobian.min, turned.quality.jacobian.min - 0.02);
+  }
+}
+
+TEST(SurfaceQuads, AreSmoothWhereverTheirPointsStart)
+{
+  SurfaceMesh surface = CubedSphere(12);
+  const std::vector<Cone> cones = ConesOfCube(surface);
+  for (SpacePoint& point : surface.points)
+  {
+    point = point.cwiseProduct(SpacePoint(1.6, 1.0, 0.8));
+  }
+  SurfaceQuadOptions options;
+  options.quadCount = 1000;
+  const Layout layout = LayOutSurface(surface, cones);
+  const QuadResult result = MakeSurfaceQuads(layout, options);
+  const SurfaceWalk walk(*layout.map.topology);
+  QuadMesh mesh = result.mesh;
+  Random random(606);
+  for (QuadPoint& point : mesh.points)
+  {
+    if (!point.fixed)
+    {
+      const MeshPlace place = walk.Find(point.triangle, point.place);
+      const double reach = 0.4 * result.size;
+      const Point step(random.Uniform(-reach, reach), random.Uniform(-reach, reach));
+      const MeshPlace moved = walk.Walk(place, AxesOf(walk.NormalAt(place)) * step);
+      point.triangle = moved.triangle;
+      point.place = walk.PlaceOf(moved);
+    }
+  }
+  EXPECT_LT(MeasureQuads(mesh, result.size).jacobian.min, 0.0);
+  const MeshBoundary none(*layout.map.topology);
+  SmoothQuads(mesh, result.blocks, { none, &walk }, std::nullopt, false);
+  double largest = 0.0;
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    const QuadPoint& point = mesh.points[p];
+    const MeshPlace place = walk.Find(point.triangle, point.place);
+    EXPECT_LT((walk.PlaceOf(place) - point.place).norm(), 1e-12); // on the surface
+    largest = std::max(largest, (point.place - result.mesh.points[p].place).norm());
+  }
+  EXPECT_LT(largest, 0.05 * result.size);
+}
+
+TEST(SurfaceQuads, AreAsFarFromASphereAsTheirChords)
+{
+  const SurfaceMesh sphere = CubedSphere(24);
+  SurfaceQuadOptions options;
+  options.quadCount = 600;
+  const QuadResult result = MakeSurfaceQuads(LayOutSurface(sphere, ConesOfCube(sphere)), options);
+  const SurfaceQuality& quality = *result.quality.surface;
+  // The centre of a square with side h is h² / 4 below a sphere of radius 1.
+  EXPECT_NEAR(quality.meanDistance, 0.25 * 4.0 * Pi / 600.0, 0.1 * quality.meanDistance);
+  EXPECT_LT(quality.maximumDistance, 1.6 * quality.meanDistance);
+  EXPECT_EQ(quality.bent, 0);
+  options.quadCount = 24;
+  EXPECT_GT(MakeSurfaceQuads(LayOutSurface(sphere, ConesOfCube(sphere)), options)
+              .quality.surface->maximumDistance,
+    0.1);
+}
+
+TEST(SurfaceQuads, CountThoseWithinWhichTheSurfaceTurns)
+{
+  const SurfaceMesh box = BoxWithHoles(1, 4);
+  SurfaceQuadOptions options;
+  options.quadSize = 0.5;
+  const QuadResult result = MakeSurfaceQuads(LayOutSurface(box, ConesOfCurvature(box)), options);
+  EXPECT_GT(result.quality.surface->bent, 0); // at its edges
+  EXPECT_GT(result.quality.jacobian.min, 0.99);
 }
 
 TEST(SurfaceQuads, HaveSidesBetweenCorners)
