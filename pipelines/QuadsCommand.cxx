@@ -192,6 +192,7 @@ int Mesh(const QuadsOptions& options)
   {
     vtkNew<vtkQuadsToHigherOrder> raiser;
     raiser->SetInputData(quads);
+    raiser->SetSurfaceConnection(domain->GetOutputPort()); // of use if it is curved
     raiser->SetOrder(options.order);
     PipelineRun::Update(raiser, "curving");
     quads->ShallowCopy(raiser->GetOutput());

@@ -210,6 +210,7 @@ def _mesh_of(pipeline: Pipeline, mesher: vtkQuadMesher, was_chosen: bool, order:
     if order > 1:
         raiser = pipeline.add(vtkQuadsToHigherOrder())
         raiser.SetInputData(grid)
+        raiser.SetSurfaceConnection(mesher.GetInputConnection(0, 0))  # of use if it is curved
         raiser.SetOrder(order)
         grid = pipeline.update(raiser).GetOutput()
     blocks, layout = mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)

@@ -4,9 +4,11 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "QuadBoundary.h"
+#include "QuadsOnSurface.h"
 #include "RaiseOrder.h"
 #include "SolverMeshReading.h"
 #include "SolverMeshWriting.h"
+#include "SurfaceConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -16,12 +18,42 @@
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <array>
+#include <optional>
+#include <vector>
+
 vtkStandardNewMacro(vtkQuadsToHigherOrder);
 
 namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
+/** Returns the corners of quads of order 1. */
+std::vector<std::array<int, 4>> CornersOf(const crossfield::SolverMesh& quads)
+{
+  std::vector<std::array<int, 4>> corners;
+  for (int cell = 0; cell < quads.CellCount(); ++cell)
+  {
+    const int* nodes = quads.Cell(cell);
+    corners.push_back({ nodes[0], nodes[1], nodes[3], nodes[2] });
+  }
+  return corners;
+}
+
+/** Returns the placement of nodes on a surface, both of which must outlive it. */
+crossfield::NodePlacement PlacementOn(
+  const crossfield::QuadsOnSurface& located, const crossfield::SolverMesh& quads)
+{
+  return [&](const crossfield::SpacePoint& place, int point, bool isOnBoundary)
+  {
+    constexpr double Rounding = 1e-6; // of an edge
+    const crossfield::SpacePoint& end = quads.points[static_cast<std::size_t>(point)];
+    return isOnBoundary && located.IsOnBoundary(end, Rounding * (place - end).norm())
+      ? located.NearestOnBoundary(place)
+      : located.NearestTo(place, point);
+  };
+}
+
 void WriteQuality(const crossfield::SolverMesh& mesh, const crossfield::OrderQuality& quality,
   vtkUnstructuredGrid* output)
 {
@@ -46,13 +78,15 @@ void WriteQuality(const crossfield::SolverMesh& mesh, const crossfield::OrderQua
 //------------------------------------------------------------------------------
 vtkQuadsToHigherOrder::vtkQuadsToHigherOrder()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 //------------------------------------------------------------------------------
 int vtkQuadsToHigherOrder::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::AcceptMesh(info) : FilterPorts::AcceptOptionalBoundary(info);
+  return port == 0 ? FilterPorts::AcceptMesh(info)
+    : port == 1    ? FilterPorts::AcceptOptionalBoundary(info)
+                   : FilterPorts::AcceptOptionalDomain(info);
 }
 
 //------------------------------------------------------------------------------
@@ -74,14 +108,23 @@ int vtkQuadsToHigherOrder::RequestData(
         output->ShallowCopy(grid);
         return;
       }
+      vtkDataSet* surface = vtkDataSet::GetData(inputVector[2]);
+      std::optional<crossfield::QuadsOnSurface> located;
+      crossfield::NodePlacement placement;
+      if (surface != nullptr && SurfaceConversion::IsSurface(surface))
+      {
+        located.emplace(SurfaceConversion::ReadTriangles(surface), quads.points, CornersOf(quads));
+        placement = PlacementOn(*located, quads);
+      }
       crossfield::OrderQuality quality;
       const crossfield::SolverMesh raised =
-        crossfield::RaiseOrder(quads, this->Order, quality, progress.Part(0.1, 0.9));
+        crossfield::RaiseOrder(quads, this->Order, quality, progress.Part(0.1, 0.9), placement);
       if (quality.inverted > 0)
       {
         vtkWarningMacro(<< quality.inverted << " of the curved quads "
                         << (quality.inverted == 1 ? "is" : "are")
-                        << " inverted, the worst one near " << crossfield::Describe(quality.worst)
+                        << " inverted, the worst one near "
+                        << crossfield::DescribePlace(quality.worst)
                         << "; use smaller quads there.");
       }
       SolverMeshWriting::WriteMesh(raised, grid, output);

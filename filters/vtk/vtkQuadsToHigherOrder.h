@@ -7,7 +7,7 @@
  * interpolation. Where that leaves det J, at one of the (order + 1)² Gauss points, below half of its
  * minimum in the straight quad, as in thin boundary layers, edges of further rows are curved as well.
  *
- * Input port 0 (vtkUnstructuredGrid): VTK_QUAD and VTK_LINE cells in a plane: quads with their boundary
+ * Input port 0 (vtkUnstructuredGrid): VTK_QUAD and VTK_LINE cells, without a surface in a plane: quads with their boundary
  * edges, as in the .vtu files of `crossfield quads` and vtkQuadMesher::CopyMesh, or output 0 of
  * vtkQuadMesher. Cell array `Side` (string) of the lines; cell array `Curve` of the lines and field data `CurveKind`, `CurveOffset` and
  * `CurveValues`: the curves (docs/curves.md); without them, the edges are straight. Input port 1,
@@ -24,6 +24,10 @@
  *   quads with det J ≤ 0 at a Gauss point), `CurvedRows` (int, the largest number of rows whose edges
  *   are curved) and `CurveSagitta` (double, per curve: largest distance of a node from the straight
  *   edge).
+ *
+ * Input port 2 (vtkDataSet), optional: surface cells, one connected part, in no plane (others are ignored): then
+ * the quads may be in space, all nodes are points of the surface, those of its boundary on that (docs/method.md, section
+ * 22.10), and there are no curves.
  *
  * With order 1 the output is the input with its boundary edges.
  *
@@ -50,6 +54,11 @@ public:
   ///@{
   /** Connects port 1, the boundary edges, or sets it to a data object. */
   vtkCrossFieldPortMacro(Boundary, 1);
+  ///@}
+
+  ///@{
+  /** Connects port 2, the surface, or sets it to a data object. */
+  vtkCrossFieldPortMacro(Surface, 2);
   ///@}
 
   ///@{

@@ -7,6 +7,7 @@
 #include "InputCheck.h"
 #include "QuadAdvice.h"
 #include "SmoothMesh.h"
+#include "SurfaceConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -21,6 +22,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <optional>
 #include <vector>
 
 vtkStandardNewMacro(vtkSmoothQuads);
@@ -57,8 +59,18 @@ void AddRange(vtkFieldData* data, const char* name, const crossfield::Range& ran
 }
 
 //------------------------------------------------------------------------------
-int vtkSmoothQuads::FillInputPortInformation(int, vtkInformation* info)
+vtkSmoothQuads::vtkSmoothQuads()
 {
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkSmoothQuads::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    return FilterPorts::AcceptOptionalDomain(info);
+  }
   FilterPorts::AcceptMesh(info);
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
@@ -74,11 +86,22 @@ int vtkSmoothQuads::RequestData(
     {
       InputCheck::Require(input);
       const std::vector<vtkIdType> cells = FindQuads(input);
-      const crossfield::DomainPlane plane = DomainConversion::FindPlane(input);
+      vtkDataSet* given = vtkDataSet::GetData(inputVector[1]);
+      std::optional<crossfield::SurfaceMesh> surface;
+      crossfield::DomainPlane plane; // that of x and y
+      if (given != nullptr)
+      {
+        surface = SurfaceConversion::ReadTriangles(given);
+      }
+      else
+      {
+        plane = DomainConversion::FindPlane(input);
+      }
       crossfield::PlainQuads mesh;
       for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
       {
-        mesh.points.push_back(plane.ToPlane(Eigen::Vector3d(input->GetPoint(i))));
+        const Eigen::Vector3d place(input->GetPoint(i));
+        mesh.points.push_back(surface ? place : crossfield::InSpace(plane.ToPlane(place)));
       }
       vtkNew<vtkIdList> ids;
       std::vector<bool> isUsed(mesh.points.size(), false);
@@ -97,7 +120,8 @@ int vtkSmoothQuads::RequestData(
       options.slides = this->SlideOnBoundary;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       options.uniform = this->UniformSizes;
-      const crossfield::SmoothedMesh smoothed = crossfield::SmoothMesh(mesh, options, progress);
+      const crossfield::SmoothedMesh smoothed =
+        crossfield::SmoothMesh(mesh, options, progress, surface ? &*surface : nullptr);
       if (smoothed.after.inverted > 0)
       {
         vtkWarningMacro(<< crossfield::CountInverted(smoothed.after)
@@ -112,7 +136,7 @@ int vtkSmoothQuads::RequestData(
       {
         const auto p = static_cast<std::size_t>(i);
         points->SetPoint(i,
-          isUsed[p] ? plane.ToSpace(smoothed.points[p]).data()
+          isUsed[p] ? plane.PlaceToSpace(smoothed.points[p]).data()
                     : Eigen::Vector3d(input->GetPoint(i)).data());
       }
       output->SetPoints(points);

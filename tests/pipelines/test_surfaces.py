@@ -34,6 +34,14 @@ def sphere(n=6):
     return points, triangles
 
 
+def upper_half(points, triangles):
+    """Returns the triangles with z ≥ 0, and their points."""
+    kept = [t for t in triangles if min(points[v][2] for v in t) > -1e-9]
+    used = sorted({v for t in kept for v in t})
+    number = {v: i for i, v in enumerate(used)}
+    return [points[v] for v in used], [[number[v] for v in t] for t in kept]
+
+
 def cube_corners(radius=1.0):
     at = radius / math.sqrt(3)
     return [(x, y, z, 1) for x in (-at, at) for y in (-at, at) for z in (-at, at)]
@@ -131,6 +139,36 @@ class Surfaces(ProgramTest):
             with self.subTest(name):
                 self.quads("part.obj", "--quads", "150", "-o", name)
                 self.assertTrue((self.folder / name).stat().st_size > 1000)
+
+    def test_order_two(self):
+        points, triangles = sphere(12)
+        (self.folder / "part.off").write_text(off(points, triangles))
+        (self.folder / "half.off").write_text(off(*upper_half(points, triangles)))
+        self.write("four.csv", [row for row in cube_corners() if row[2] > 0])
+        for name, singularities, sides in (("part", "eight.csv", 0), ("half", "four.csv", 1)):
+            report = self.quads(name + ".off", "--quads", "150", "--order", "2", "-o", name + ".inp",
+                                singularities=singularities)
+            text = (self.folder / (name + ".inp")).read_text()
+            self.assertIn("TYPE=S8", text)
+            self.assertEqual(text.count("*NSET, NSET=outer0"), sides)
+            nodes = [[float(x) for x in line.split(",")[1:]]
+                     for line in text.split("*NODE, NSET=NALL\n")[1].split("*")[0].splitlines()]
+            self.assertEqual(len(nodes), report["quads"] * 3 + (2 if sides == 0 else 1 + report["sides"][0]["edges"]))
+            for node in nodes:
+                self.assertAlmostEqual(math.hypot(*node), 1, delta=0.01)
+            if sides:
+                rim = text.split("*NSET, NSET=outer0\n")[1].split("*")[0].replace(",", " ").split()
+                self.assertEqual(len(rim), 2 * report["sides"][0]["edges"])
+                self.assertLess(max(abs(nodes[int(node) - 1][2]) for node in rim), 1e-12)
+
+    def test_how_they_fit(self):
+        (self.folder / "part.off").write_text(off(*sphere(24)))
+        for quads in (150, 600):
+            report = self.quads("part.off", "--quads", str(quads))
+            self.assertAlmostEqual(report["surface_distance"]["mean"] / (math.pi / quads), 1, delta=0.15)  # h² / 4
+            self.assertLess(report["scaled_jacobian"]["by_surface"], report["scaled_jacobian"]["min"] + 1e-9)
+        few = self.quads("part.off", "--quads", "6")
+        self.assertTrue(any("turns by more than 60 degrees" in warning for warning in few["warnings"]), few["warnings"])
 
     def test_repairs(self):
         points, triangles = sphere()

@@ -9,10 +9,12 @@
 #include "vtkHField.h"
 #include "vtkPoincareHopfCheck.h"
 #include "vtkQuadMesher.h"
+#include "vtkQuadsToHigherOrder.h"
 #include "vtkSeparatrices.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -38,6 +40,7 @@ using FilterChecks::CaptureError;
 using FilterChecks::CheckInputUntouched;
 using FilterChecks::CheckProgressAndAbort;
 using FilterChecks::CheckRunTwice;
+using FilterChecks::RequireArray;
 using FilterChecks::UpdateWithoutError;
 
 /** Returns the unit sphere as a cube of 6 · 8² quadrilaterals, blown up. */
@@ -160,6 +163,48 @@ TEST(QuadMesherSurfaces, MayBeStrips)
   mesher->Update();
   EXPECT_EQ(mesher->GetErrorCode(), 0U);
   EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 600);
+}
+
+TEST(QuadMesherSurfaces, ReportHowTheyFitTheSurface)
+{
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(BlownUpCube());
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(600);
+  UpdateWithoutError(mesher);
+  vtkFieldData* report = mesher->GetOutputDataObject(8)->GetFieldData();
+  vtkDataArray* distance = RequireArray(report, "SurfaceDistance");
+  // Of the centre of a square with sides h, h² / 4; triangles are below the sphere as well.
+  EXPECT_GT(distance->GetComponent(0, 1), distance->GetComponent(0, 0));
+  EXPECT_NEAR(distance->GetComponent(0, 0), 3.14159 / 600.0, 0.004);
+  EXPECT_NEAR(RequireArray(report, "ScaledJacobianBySurface")->GetComponent(0, 0),
+    RequireArray(report, "ScaledJacobianRange")->GetComponent(0, 0), 0.02);
+}
+
+TEST(QuadMesherSurfaces, HaveNodesOfOrderTwoOnTheSurface)
+{
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(BlownUpCube());
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(150);
+  UpdateWithoutError(mesher);
+  vtkNew<vtkQuadsToHigherOrder> raiser;
+  raiser->SetInputConnection(mesher->GetOutputPort());
+  CaptureError(raiser, { "not planar" });
+  raiser->SetSurfaceData(BlownUpCube());
+  UpdateWithoutError(raiser);
+  vtkUnstructuredGrid* output = raiser->GetOutput();
+  EXPECT_EQ(output->GetCellType(0), VTK_BIQUADRATIC_QUAD);
+  EXPECT_EQ(output->GetNumberOfPoints(), 152 + 300 + 150);
+  for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+  {
+    const double* place = output->GetPoint(p);
+    EXPECT_NEAR(std::hypot(place[0], place[1], place[2]), 1.0, 0.015); // of the triangles
+  }
+  EXPECT_EQ(RequireArray(output->GetFieldData(), "CurvedInverted")->GetComponent(0, 0), 0.0);
+  CheckInputUntouched(raiser);
+  CheckRunTwice(
+    raiser, [&] { raiser->SetOrder(2); }, [&] { raiser->SetOrder(3); });
 }
 
 TEST(QuadMesherSurfaces, HaveNoPlanarOptions)

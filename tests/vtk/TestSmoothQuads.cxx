@@ -10,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -87,6 +88,45 @@ TEST_F(SmoothQuads, QuadsOfAPlaneInSpaceBecomeBetter)
     EXPECT_NEAR(
       normal[0] * (p[0] - 1.0) + normal[1] * (p[1] - 2.0) + normal[2] * (p[2] - 3.0), 0.0, 1e-12);
   }
+}
+
+TEST_F(SmoothQuads, PointsMoveToASurfaceAndStayOnIt)
+{
+  const vtkSmartPointer<vtkPolyData> mesh = MovedPlane(12, 0.4);
+  vtkNew<vtkPlaneSource> plane; // of the quads
+  plane->SetOrigin(1.0, 2.0, 3.0);
+  plane->SetPoint1(3.0, 2.0, 4.0);
+  plane->SetPoint2(1.0, 4.0, 3.5);
+  plane->SetResolution(30, 30);
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->Update();
+  vtkNew<vtkPolyData> hill;
+  hill->DeepCopy(plane->GetOutput());
+  for (vtkIdType i = 0; i < hill->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    hill->GetPoint(i, p);
+    hill->GetPoints()->SetPoint(i, p[0], p[1], p[2] + 0.3 * std::sin(p[0]) * std::sin(p[1]));
+  }
+  this->Filter->SetInputData(mesh);
+  this->Filter->SetSurfaceData(hill);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_GT(this->Minimum("ScaledJacobianRange"), 0.85);
+  vtkPointSet* output = this->Filter->GetOutput();
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    const double height = 3.0 + 0.5 * (p[0] - 1.0) + 0.25 * (p[1] - 2.0);
+    EXPECT_NEAR(p[2], height + 0.3 * std::sin(p[0]) * std::sin(p[1]), 1e-3);
+  }
+  // Without the surface, the quads on it are in no plane.
+  vtkNew<vtkPolyData> bent;
+  bent->DeepCopy(output);
+  this->Filter->SetInputData(bent);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  this->Filter->SetSurfaceData(nullptr);
+  FilterChecks::CaptureError(this->Filter, { "not planar" });
 }
 
 TEST_F(SmoothQuads, KeepsLinesAndPointsThatNoQuadHas)

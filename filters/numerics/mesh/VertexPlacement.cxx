@@ -10,6 +10,12 @@
 
 namespace crossfield
 {
+SpacePoint NearestOnSide(const SpacePoint& from, const SpacePoint& to, const SpacePoint& place)
+{
+  const SpacePoint side = to - from;
+  return from + std::clamp((place - from).dot(side) / side.squaredNorm(), 0.0, 1.0) * side;
+}
+
 namespace
 {
 using Corners = std::array<SpacePoint, 3>;
@@ -18,12 +24,6 @@ Corners CornersOf(const SurfaceMesh& surface, int triangle)
 {
   const auto& v = surface.triangles[triangle];
   return { surface.points[v[0]], surface.points[v[1]], surface.points[v[2]] };
-}
-
-SpacePoint NearestOnSide(const SpacePoint& from, const SpacePoint& to, const SpacePoint& place)
-{
-  const SpacePoint side = to - from;
-  return from + std::clamp((place - from).dot(side) / side.squaredNorm(), 0.0, 1.0) * side;
 }
 
 /// Returns the point of a triangle nearest to a place.

@@ -15,6 +15,9 @@ struct SurfacePoint
   double distance = 0.0; ///< From the place.
 };
 
+/// Returns the point of a segment nearest to a place.
+SpacePoint NearestOnSide(const SpacePoint& from, const SpacePoint& to, const SpacePoint& place);
+
 /// Returns the nearest point of a surface with at least one triangle. Cost: linear in triangles.
 SurfacePoint FindNearest(const SurfaceMesh& surface, const SpacePoint& place);
 

@@ -3,10 +3,15 @@
 #include "Error.h"
 #include "QuadBlocks.h"
 #include "QuadSizes.h"
+#include "QuadsOnSurface.h"
+#include "TangentFrames.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace crossfield
@@ -23,8 +28,11 @@ constexpr std::size_t QuadsOfBlock = 16;
 class MeshReading
 {
 public:
-  MeshReading(const PlainQuads& plain, const MeshSmoothingOptions& options)
+  /// `surface` is null in the plane.
+  MeshReading(
+    const PlainQuads& plain, const MeshSmoothingOptions& options, const QuadsOnSurface* surface)
     : Options(options)
+    , Surface(surface)
   {
     if (plain.quads.empty())
     {
@@ -33,9 +41,19 @@ public:
     this->Mesh.points.resize(plain.points.size());
     for (std::size_t p = 0; p < plain.points.size(); ++p)
     {
-      this->Mesh.points[p].MoveTo(plain.points[p]);
+      QuadPoint& point = this->Mesh.points[p];
+      point.place = plain.points[p];
+      point.triangle = surface == nullptr ? -1 : surface->TriangleOf(static_cast<int>(p));
+      if (point.triangle >= 0)
+      {
+        point.place = surface->NearestTo(point.place, static_cast<int>(p));
+      }
     }
     this->Mesh.quads = plain.quads;
+    if (surface != nullptr)
+    {
+      SetNormals(surface->Walk(), this->Mesh);
+    }
     this->FindTwins();
     this->Orient();
     this->FindLoops();
@@ -54,14 +72,14 @@ public:
   }
 
   QuadMesh Mesh;
-  std::vector<Loop> Loops; ///< The boundary, with the domain on its left.
+  std::vector<ClosedPolyline<SpacePoint>> Loops; ///< The boundary, with the domain on its left.
 
 private:
   int StartOf(int side) const { return this->Mesh.quads[side / 4][side % 4]; }
   int EndOf(int side) const { return this->Mesh.quads[side / 4][(side + 1) % 4]; }
   std::string Near(int side) const
   {
-    return " near " + Describe(this->Mesh.points[this->StartOf(side)].InPlane());
+    return " near " + DescribePlace(this->Mesh.points[this->StartOf(side)].place);
   }
 
   /// Finds the other side of the edge of each side; −1 on the boundary. QuadMesh::Twins requires quads
@@ -162,8 +180,11 @@ private:
   double AreaOf(int quad) const
   {
     const auto& corners = this->Mesh.quads[quad];
-    const auto at = [&](std::size_t i) { return this->Mesh.points[corners[i]].InPlane(); };
-    return 0.5 * Cross(at(2) - at(0), at(3) - at(1));
+    const auto at = [&](std::size_t i) -> const SpacePoint&
+    { return this->Mesh.points[corners[i]].place; };
+    const SpacePoint normal =
+      this->Surface == nullptr ? SpacePoint(SpacePoint::UnitZ()) : this->Mesh.normals[quad];
+    return 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).dot(normal);
   }
 
   /// Collects the loops of the boundary and places its points on them.
@@ -192,15 +213,14 @@ private:
         continue;
       }
       std::vector<int> around;
-      Loop loop;
+      std::vector<SpacePoint> loop;
       for (int p = start; next[p] >= 0;)
       {
         around.push_back(p);
-        loop.push_back(this->Mesh.points[p].InPlane());
+        loop.push_back(this->Mesh.points[p].place);
         p = std::exchange(next[p], -1);
       }
-      this->PlaceOn(loop, around);
-      this->Loops.push_back(std::move(loop));
+      this->PlaceOn(ClosedPolyline<SpacePoint>(std::move(loop)), around);
     }
     for (QuadPoint& point : this->Mesh.points)
     {
@@ -209,19 +229,22 @@ private:
     }
   }
 
-  void PlaceOn(const Loop& loop, const std::vector<int>& around)
+  void PlaceOn(ClosedPolyline<SpacePoint> loop, const std::vector<int>& around)
   {
-    const LoopArc arc(loop);
-    const std::vector<double> turns = arc.Turns();
     const auto number = static_cast<int>(this->Loops.size());
-    for (std::size_t i = 0; i < around.size(); ++i)
+    const auto count = around.size();
+    for (std::size_t i = 0; i < count; ++i)
     {
       QuadPoint& point = this->Mesh.points[around[i]];
-      point.curve = { number, arc.Start(i) };
-      point.fixed = !this->Options.slides || IsCorner(turns[i], this->Options.cornerAngle);
+      point.curve = { number, loop.Start(i) };
+      const SpacePoint before = point.place - loop.Vertices()[(i + count - 1) % count];
+      const SpacePoint after = loop.Vertices()[(i + 1) % count] - point.place;
+      const double turn = std::atan2(before.cross(after).norm(), before.dot(after));
+      point.fixed = !this->Options.slides || IsCorner(turn, this->Options.cornerAngle);
       this->Mesh.boundary.push_back(
-        { { around[i], around[(i + 1) % around.size()] }, BoundaryKind::Outer, number });
+        { { around[i], around[(i + 1) % count] }, BoundaryKind::Outer, number });
     }
+    this->Loops.push_back(std::move(loop));
   }
 
   /// Sets target lengths: those that the quads have, or those of squares that share the area.
@@ -240,14 +263,42 @@ private:
   }
 
   const MeshSmoothingOptions& Options;
+  const QuadsOnSurface* const Surface;
   std::vector<int> Twins; ///< Side s of quad q is 4 q + s.
 };
+
+/// Moves points of the boundary, which slid along edges of the quads, to the surface, or to its boundary.
+void MoveBoundary(
+  const QuadsOnSurface& surface, const std::vector<SpacePoint>& given, double size, QuadMesh& mesh)
+{
+  constexpr double Near = 0.25; // of a quad
+  bool isOnBoundary = true;
+  for (std::size_t p = 0; p < given.size(); ++p)
+  {
+    isOnBoundary = isOnBoundary &&
+      (mesh.points[p].curve.loop < 0 || surface.IsOnBoundary(given[p], Near * size));
+  }
+  for (std::size_t p = 0; p < given.size(); ++p)
+  {
+    QuadPoint& point = mesh.points[p];
+    if (point.curve.loop >= 0)
+    {
+      point.place = isOnBoundary ? surface.NearestOnBoundary(point.place)
+                                 : surface.NearestTo(point.place, static_cast<int>(p));
+    }
+  }
+}
 }
 
-SmoothedMesh SmoothMesh(
-  const PlainQuads& mesh, const MeshSmoothingOptions& options, const Progress& progress)
+SmoothedMesh SmoothMesh(const PlainQuads& mesh, const MeshSmoothingOptions& options,
+  const Progress& progress, const SurfaceMesh* surface)
 {
-  MeshReading reading(mesh, options);
+  std::optional<QuadsOnSurface> located;
+  if (surface != nullptr)
+  {
+    located.emplace(*surface, mesh.points, mesh.quads);
+  }
+  MeshReading reading(mesh, options, located ? &*located : nullptr);
   progress.Report(0.1);
   QuadMesh& quads = reading.Mesh;
   const double size = reading.MeanSize();
@@ -259,13 +310,17 @@ SmoothedMesh SmoothMesh(
     blocks = {};
   }
   const BoundaryCurves curves(reading.Loops);
-  SmoothQuads(quads, blocks, { curves },
+  SmoothQuads(quads, blocks, { curves, located ? &located->Walk() : nullptr },
     options.uniform ? std::optional<double>(UniformSizePart) : std::nullopt, false,
     progress.Part(0.2, 1.0));
+  if (located)
+  {
+    MoveBoundary(*located, mesh.points, size, quads);
+  }
   result.after = MeasureQuads(quads, size);
   for (const QuadPoint& point : quads.points)
   {
-    result.points.push_back(point.InPlane());
+    result.points.push_back(point.place);
   }
   return result;
 }

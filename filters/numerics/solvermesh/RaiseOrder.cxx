@@ -6,6 +6,8 @@
 #include "Error.h"
 #include "LagrangeQuad.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -50,10 +52,12 @@ DomainPlane PlaneOf(const SolverMesh& quads)
 class OrderRaiser
 {
 public:
-  OrderRaiser(const SolverMesh& quads, int order, OrderQuality& quality)
+  OrderRaiser(
+    const SolverMesh& quads, int order, OrderQuality& quality, const NodePlacement& surface)
     : Quads(quads)
+    , Surface(surface)
     , Faces(quads)
-    , Plane(PlaneOf(quads))
+    , Plane(surface ? DomainPlane() : PlaneOf(quads))
     , Element(order)
     , Lattice(2, order)
     , Quality(quality)
@@ -64,13 +68,17 @@ public:
     this->Result.cells.clear();
     for (const Eigen::Vector3d& point : quads.points)
     {
-      this->Places.push_back(this->Plane.ToPlane(point));
+      this->Places.push_back(surface ? point : InSpace(this->Plane.ToPlane(point)));
     }
     for (int s = 0; s < 4; ++s)
     {
       this->Along[s] = this->Lattice.Face(s);
     }
     this->RequireSimpleEdges();
+    if (surface)
+    {
+      return;
+    }
     for (CurvedSide& side :
       FindCurvedSides(quads, this->Faces, this->Plane, order, this->Quality.sagittas))
     {
@@ -161,15 +169,15 @@ private:
   }
 
   /// Returns the nodes of a quad: corners, edges, and inside by transfinite interpolation.
-  Eigen::Matrix2Xd NodesOf(int quad, const std::vector<EdgeOffsets>* ofEdge) const
+  Eigen::Matrix3Xd NodesOf(int quad, const std::vector<EdgeOffsets>* ofEdge) const
   {
     const int p = this->Result.order;
-    Eigen::Matrix2Xd nodes(2, (p + 1) * (p + 1));
+    Eigen::Matrix3Xd nodes(3, (p + 1) * (p + 1));
     for (int s = 0; s < 4; ++s)
     {
       const int side = 4 * quad + s;
-      const Point& from = this->Places[this->StartOf(side)];
-      const Point along = this->Places[this->EndOf(side)] - from;
+      const SpacePoint& from = this->Places[this->StartOf(side)];
+      const SpacePoint along = this->Places[this->EndOf(side)] - from;
       EdgeOffsets offsets = ofEdge ? (*ofEdge)[this->EdgeOf(side)] : EdgeOffsets();
       if (!offsets.empty() && !this->IsForward(side))
       {
@@ -178,11 +186,11 @@ private:
       nodes.col(this->Along[s][0]) = from;
       for (int k = 1; k < p; ++k)
       {
-        Point node = from + static_cast<double>(k) / p * along;
+        SpacePoint node = from + static_cast<double>(k) / p * along;
         if (!offsets.empty())
         {
-          const std::complex<double> offset = offsets[k - 1] * AsComplex(along);
-          node += Point(offset.real(), offset.imag());
+          const std::complex<double> offset = offsets[k - 1] * AsComplex(along.head<2>());
+          node += SpacePoint(offset.real(), offset.imag(), 0.0);
         }
         nodes.col(this->Along[s][k]) = node;
       }
@@ -192,7 +200,7 @@ private:
   }
 
   /// Sets the inner nodes from those on the edges, by the formula of Coons.
-  void FillInside(Eigen::Matrix2Xd& nodes) const
+  void FillInside(Eigen::Matrix3Xd& nodes) const
   {
     const int p = this->Result.order;
     const auto at = [p](int i, int j) { return static_cast<Eigen::Index>(j * (p + 1) + i); };
@@ -225,8 +233,8 @@ private:
         {
           continue;
         }
-        const double straight = this->Element.MeasureJacobian(this->NodesOf(q, nullptr)).min;
-        const double curved = this->Element.MeasureJacobian(this->NodesOf(q, &ofEdge)).min;
+        const double straight = this->JacobianOf(this->NodesOf(q, nullptr)).min;
+        const double curved = this->JacobianOf(this->NodesOf(q, &ofEdge)).min;
         if (curved >= PartOfStraight * straight && curved > 0.0)
         {
           continue;
@@ -254,9 +262,9 @@ private:
     }
   }
 
-  int AddPoint(const Point& place)
+  int AddPoint(const SpacePoint& place)
   {
-    this->Result.points.push_back(this->Plane.ToSpace(place));
+    this->Result.points.push_back(this->Plane.PlaceToSpace(place));
     return static_cast<int>(this->Result.points.size()) - 1;
   }
 
@@ -268,7 +276,7 @@ private:
     std::vector<int> firstNode(this->Faces.Count(), -1); // per edge, in its direction
     for (int quad = 0; quad < this->Quads.CellCount(); ++quad)
     {
-      Eigen::Matrix2Xd nodes = this->NodesOf(quad, &ofEdge);
+      Eigen::Matrix3Xd nodes = this->NodesOf(quad, &ofEdge);
       std::vector<int> numbers(static_cast<std::size_t>(nodes.cols()), -1);
       for (int s = 0; s < 4; ++s)
       {
@@ -277,7 +285,7 @@ private:
         const auto exact = this->Exact.find(side);
         for (int k = 1; k < p && exact != this->Exact.end(); ++k)
         {
-          nodes.col(along[k]) = exact->second[k - 1]; // on the curve to rounding
+          nodes.col(along[k]) = InSpace(exact->second[k - 1]); // on the curve to rounding
         }
         int& first = firstNode[this->EdgeOf(side)];
         const bool isNew = first < 0;
@@ -285,6 +293,12 @@ private:
         for (int k = 1; k < p; ++k)
         {
           const int node = along[this->IsForward(side) ? k : p - k];
+          if (this->Surface)
+          {
+            nodes.col(node) = isNew
+              ? this->Surface(nodes.col(node), this->StartOf(side), this->TwinOf(side) < 0)
+              : this->Result.points[first + k - 1];
+          }
           const int number = isNew ? this->AddPoint(nodes.col(node)) : first + k - 1;
           first = k == 1 ? number : first;
           numbers[node] = number;
@@ -295,7 +309,10 @@ private:
       {
         if (numbers[node] < 0)
         {
-          numbers[node] = this->AddPoint(nodes.col(static_cast<Eigen::Index>(node)));
+          auto place = nodes.col(static_cast<Eigen::Index>(node));
+          place = this->Surface ? this->Surface(place, this->CornerOf(quad, 0), false)
+                                : SpacePoint(place);
+          numbers[node] = this->AddPoint(place);
         }
       }
       this->Measure(nodes);
@@ -309,20 +326,37 @@ private:
     sources.points.resize(this->Result.points.size(), -1);
   }
 
-  void Measure(const Eigen::Matrix2Xd& nodes)
+  /// Measures det J in the plane, on a surface in that of the diagonals.
+  LagrangeQuad::Range JacobianOf(const Eigen::Matrix3Xd& nodes) const
   {
-    const LagrangeQuad::Range range = this->Element.MeasureJacobian(nodes);
+    if (!this->Surface)
+    {
+      return this->Element.MeasureJacobian(nodes.topRows<2>());
+    }
+    const auto corner = [&](int c) { return nodes.col(this->Lattice.Corner(c)); };
+    const SpacePoint diagonal = corner(2) - corner(0);
+    const SpacePoint normal = diagonal.cross(corner(3) - corner(1)).normalized();
+    Eigen::Matrix<double, 2, 3> axes;
+    axes.row(0) = diagonal.normalized();
+    axes.row(1) = normal.cross(diagonal.normalized());
+    return this->Element.MeasureJacobian(axes * nodes);
+  }
+
+  void Measure(const Eigen::Matrix3Xd& nodes)
+  {
+    const LagrangeQuad::Range range = this->JacobianOf(nodes);
     const double ratio = range.max > 0.0 ? range.min / range.max : -1.0;
     this->Quality.inverted += range.min > 0.0 ? 0 : 1;
     this->Quality.jacobianRatios.push_back(ratio);
     if (ratio < this->Quality.jacobianRatio)
     {
       this->Quality.jacobianRatio = ratio;
-      this->Quality.worst = nodes.rowwise().mean();
+      this->Quality.worst = this->Plane.PlaceToSpace(nodes.rowwise().mean());
     }
   }
 
   const SolverMesh& Quads;
+  const NodePlacement& Surface; ///< Empty in the plane.
   const MeshFaces Faces;
   const DomainPlane Plane;
   const LagrangeQuad Element;
@@ -330,7 +364,8 @@ private:
   const CellLattice Lattice;
   OrderQuality& Quality;
   SolverMesh Result;
-  std::vector<Point> Places;             ///< Of the points of the quads, in the plane.
+  std::vector<SpacePoint>
+    Places; ///< Of the points of the quads: plane coordinates, or in space on a surface.
   std::array<std::vector<int>, 4> Along; ///< Positions of the nodes along the sides of a quad.
   std::vector<Strip> Strips;
   std::map<int, std::vector<Point>> Exact;    ///< Inner nodes of boundary sides on curves.
@@ -338,8 +373,8 @@ private:
 };
 }
 
-SolverMesh RaiseOrder(
-  const SolverMesh& quads, int order, OrderQuality& quality, const Progress& progress)
+SolverMesh RaiseOrder(const SolverMesh& quads, int order, OrderQuality& quality,
+  const Progress& progress, const NodePlacement& surface)
 {
   if (order != 2 && order != 3)
   {
@@ -350,6 +385,6 @@ SolverMesh RaiseOrder(
     throw Error("The cells are not quads of order 1; give the quads of a Quad Mesher.");
   }
   quality = {};
-  return OrderRaiser(quads, order, quality).Raise(progress);
+  return OrderRaiser(quads, order, quality, surface).Raise(progress);
 }
 }

@@ -4,6 +4,7 @@
 #include "Progress.h"
 #include "SolverMesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace crossfield
@@ -12,14 +13,19 @@ namespace crossfield
 struct OrderQuality
 {
   std::vector<double>
-    jacobianRatios;            ///< Per quad, the minimum over the maximum of det J at Gauss points.
-  double jacobianRatio = 1.0;  ///< Their minimum.
-  int inverted = 0;            ///< Quads with det J ≤ 0 at a Gauss point.
-  Point worst = Point::Zero(); ///< Centre, in the plane, of the quad with the smallest ratio.
+    jacobianRatios;           ///< Per quad, the minimum over the maximum of det J at Gauss points.
+  double jacobianRatio = 1.0; ///< Their minimum.
+  int inverted = 0;           ///< Quads with det J ≤ 0 at a Gauss point.
+  SpacePoint worst = SpacePoint::Zero(); ///< Centre of the quad with the smallest ratio.
   int curvedRows = 0; ///< Largest number of rows of quads beside the boundary with curved edges.
   /// Per curve, the largest distance of a node from the straight edge, in the unit of the points.
   std::vector<double> sagittas;
 };
+
+/// Returns the point of a surface nearest to a place near a point of the mesh; if the place is on the boundary of the
+/// mesh, that of the surface's boundary.
+using NodePlacement =
+  std::function<SpacePoint(const SpacePoint& place, int point, bool isOnBoundary)>;
 
 /// Returns quads of order 2 or 3 from those of order 1, with Lagrange nodes at equal steps; the points of the given
 /// quads come first. `quality` receives measures.
@@ -30,8 +36,11 @@ struct OrderQuality
 /// linearly over as many rows as are needed. Nodes on the second of two periodic sides are the images of those on
 /// the first.
 ///
+/// On a surface, every node is placed on it from where it is on straight edges, or by the formula of Coons inside, and
+/// det J is that in the plane of the diagonals of the quad; there are no curves.
+///
 /// Throws Error if the order is neither 2 nor 3, the mesh has other cells than quads of order 1, they are not in a
-/// plane, or an edge has more than two, and as MeshFaces and MatchPair do.
-SolverMesh RaiseOrder(
-  const SolverMesh& quads, int order, OrderQuality& quality, const Progress& progress = {});
+/// plane or on a surface, or an edge has more than two, and as MeshFaces and MatchPair do.
+SolverMesh RaiseOrder(const SolverMesh& quads, int order, OrderQuality& quality,
+  const Progress& progress = {}, const NodePlacement& surface = {});
 }

@@ -293,6 +293,37 @@ TEST(SurfaceQuads, AreSmoothWhereverTheirPointsStart)
   EXPECT_LT(largest, 0.05 * result.size);
 }
 
+TEST(SurfaceQuads, OfCoarserMeshesRestrictByTheTransposeOfProlongation)
+{
+  const SurfaceMesh half = Hemisphere(12);
+  const Layout layout = LayOutSurface(half, ConesOfCube(half));
+  SurfaceQuadOptions options;
+  options.quadCount = 3000;
+  const QuadResult result = MakeSurfaceQuads(layout, options);
+  const MeshBoundary curves(*layout.map.topology);
+  const SurfaceWalk walk(*layout.map.topology);
+  const std::vector<QuadLattice> lattices = LatticesOf(result.mesh, result.blocks);
+  const CoarseQuads coarse(result.mesh, lattices);
+  const TangentFrames fine(result.mesh, &walk);
+  const TangentFrames frames(coarse.mesh, &walk);
+  Random random(607);
+  const auto randomFor = [&random](const QuadMesh& mesh)
+  {
+    Eigen::VectorXd vector(2 * static_cast<Eigen::Index>(mesh.points.size()));
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    {
+      vector.segment<2>(2 * static_cast<Eigen::Index>(p)) << random.Uniform(-1.0, 1.0),
+        mesh.points[p].curve.loop < 0 ? random.Uniform(-1.0, 1.0) : 0.0;
+    }
+    return vector;
+  };
+  const Eigen::VectorXd moves = randomFor(coarse.mesh);
+  const Eigen::VectorXd gradient = randomFor(result.mesh);
+  EXPECT_NEAR(coarse.Prolong(curves, fine, frames, moves).dot(gradient),
+    moves.dot(coarse.Restrict(curves, fine, frames, gradient)),
+    1e-12 * moves.norm() * gradient.norm());
+}
+
 TEST(SurfaceQuads, AreAsFarFromASphereAsTheirChords)
 {
   const SurfaceMesh sphere = CubedSphere(24);

@@ -134,15 +134,18 @@ TEST(CoarseQuads, RestrictionIsTheTransposeOfProlongation)
   };
   clearUnused(coarse.mesh, moves);
   clearUnused(result.mesh, gradient);
-  EXPECT_NEAR(coarse.Prolong(curves, moves).dot(gradient),
-    moves.dot(coarse.Restrict(curves, gradient)), 1e-12 * moves.norm() * gradient.norm());
+  const TangentFrames fine(result.mesh, nullptr);
+  const TangentFrames frames(coarse.mesh, nullptr);
+  EXPECT_NEAR(coarse.Prolong(curves, fine, frames, moves).dot(gradient),
+    moves.dot(coarse.Restrict(curves, fine, frames, gradient)),
+    1e-12 * moves.norm() * gradient.norm());
   // If all points move along the boundary by the same length, so do the points between them.
   Eigen::VectorXd along = Eigen::VectorXd::Zero(coarseSize);
   for (std::size_t p = 0; p < coarse.mesh.points.size(); ++p)
   {
     along[2 * static_cast<Eigen::Index>(p)] = coarse.mesh.points[p].curve.loop < 0 ? 0.0 : 0.01;
   }
-  const Eigen::VectorXd prolonged = coarse.Prolong(curves, along);
+  const Eigen::VectorXd prolonged = coarse.Prolong(curves, fine, frames, along);
   for (std::size_t p = 0; p < result.mesh.points.size(); ++p)
   {
     if (result.mesh.points[p].curve.loop >= 0)

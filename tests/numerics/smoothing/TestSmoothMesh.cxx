@@ -1,6 +1,7 @@
 #include "SmoothMesh.h"
 
 #include "Support.h"
+#include "Surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ PlainQuads Grid(int n, double part, Random& random)
     {
       const double x = i % n == 0 ? 0.0 : random.Uniform(-part, part);
       const double y = j % n == 0 ? 0.0 : random.Uniform(-part, part);
-      mesh.points.emplace_back((i + x) / n, (j + y) / n);
+      mesh.points.emplace_back((i + x) / n, (j + y) / n, 0.0);
     }
   }
   for (int j = 0; j < n; ++j)
@@ -40,17 +41,17 @@ PlainQuads DividedTriangles(double meshSize)
   const TriangleMesh triangles = DrillMesh(Builtin("disk"), {}, meshSize);
   const EdgeNumbering edges = NumberEdges(triangles);
   PlainQuads mesh;
-  mesh.points = triangles.points;
+  mesh.points = InSpace(triangles.points);
   for (const auto& [from, to] : edges.vertices)
   {
-    mesh.points.push_back(0.5 * (triangles.points[from] + triangles.points[to]));
+    mesh.points.push_back(InSpace(0.5 * (triangles.points[from] + triangles.points[to])));
   }
   for (std::size_t t = 0; t < triangles.triangles.size(); ++t)
   {
     const auto& v = triangles.triangles[t];
     const int centre = static_cast<int>(mesh.points.size());
     mesh.points.push_back(
-      (triangles.points[v[0]] + triangles.points[v[1]] + triangles.points[v[2]]) / 3.0);
+      InSpace((triangles.points[v[0]] + triangles.points[v[1]] + triangles.points[v[2]]) / 3.0));
     const auto middle = [&](int i)
     { return static_cast<int>(triangles.points.size()) + edges.ofTriangle[t][i % 3]; };
     for (int i = 0; i < 3; ++i)
@@ -61,7 +62,7 @@ PlainQuads DividedTriangles(double meshSize)
   return mesh;
 }
 
-double LargestDistance(const std::vector<Point>& a, const std::vector<Point>& b)
+double LargestDistance(const std::vector<SpacePoint>& a, const std::vector<SpacePoint>& b)
 {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -99,7 +100,7 @@ TEST(SmoothMesh, BoundaryStaysIfItShould)
   int moved = 0;
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
-    const Point& place = mesh.points[p];
+    const SpacePoint& place = mesh.points[p];
     const bool onBoundary = place.x() * (1.0 - place.x()) * place.y() * (1.0 - place.y()) < 1e-12;
     moved += smoothed.points[p] != place ? 1 : 0;
     EXPECT_TRUE(!onBoundary || smoothed.points[p] == place);
@@ -118,7 +119,7 @@ TEST(SmoothMesh, RepairsInvertedQuads)
     {
       // far beyond its neighbours
       const int p = random.Integer(1, 7) * 9 + random.Integer(1, 7);
-      mesh.points[p] += Point(random.Uniform(-0.4, 0.4), random.Uniform(-0.4, 0.4));
+      mesh.points[p] += SpacePoint(random.Uniform(-0.4, 0.4), random.Uniform(-0.4, 0.4), 0.0);
     }
     const SmoothedMesh smoothed = SmoothMesh(mesh, {});
     EXPECT_GT(smoothed.before.inverted, 0);
@@ -137,7 +138,7 @@ TEST(SmoothMesh, ImprovesUnstructuredMeshes)
     EXPECT_EQ(smoothed.after.inverted, 0);
     EXPECT_GT(smoothed.after.jacobian.min, smoothed.before.jacobian.min);
     EXPECT_GT(smoothed.after.jacobian.mean, smoothed.before.jacobian.mean + 0.01);
-    for (const Point& place : smoothed.points)
+    for (const SpacePoint& place : smoothed.points)
     {
       EXPECT_LT(place.norm(), 1.0 + 1e-12); // sliding leads along chords
     }
@@ -162,6 +163,7 @@ TEST(SmoothMesh, OrientationAndOrderOfCornersDoNotMatter)
 
 TEST(SmoothMesh, RefusesWhatIsNoMesh)
 {
+  using Points = std::vector<Point>;
   Random random(1105);
   const PlainQuads grid = Grid(2, 0.0, random);
   const auto refuses = [](const PlainQuads& mesh, const std::string& words)
@@ -173,15 +175,96 @@ TEST(SmoothMesh, RefusesWhatIsNoMesh)
   mesh = grid;
   mesh.quads.push_back({ 0, 1, 4, 6 });
   EXPECT_TRUE(refuses(mesh, "has more than two quads"));
-  mesh = { { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 } },
+  mesh = { InSpace(Points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 } }),
     { { 0, 1, 2, 3 }, { 2, 4, 5, 6 } } };
   EXPECT_TRUE(refuses(mesh, "The boundary touches itself near (1, 1)"));
-  mesh = { { { 0, 0 }, { 0, 0 }, { 0, 0 }, { 0, 0 } }, { { 0, 1, 2, 3 } } };
+  mesh = { InSpace(Points{ { 0, 0 }, { 0, 0 }, { 0, 0 }, { 0, 0 } }), { { 0, 1, 2, 3 } } };
   EXPECT_TRUE(refuses(mesh, "have no area"));
   // A Möbius strip of three quads.
-  mesh = { { { 0, 0 }, { 0, 1 }, { 1, 0 }, { 1, 1 }, { 2, 0 }, { 2, 2 } },
+  mesh = { InSpace(Points{ { 0, 0 }, { 0, 1 }, { 1, 0 }, { 1, 1 }, { 2, 0 }, { 2, 2 } }),
     { { 0, 2, 3, 1 }, { 2, 4, 5, 3 }, { 4, 1, 0, 5 } } };
   EXPECT_TRUE(refuses(mesh, "cannot be oriented"));
+}
+
+TEST(SmoothMesh, IsThatOfThePlaneOnATurnedOne)
+{
+  Random random(1106);
+  const TriangleMesh square = GridOfSquare(7);
+  const SurfaceMesh surface = BentAtRandom(square, 7, 0, 0.0);
+  for (const int n : { 9, 80 }) // alone, and with coarser meshes
+  {
+    for (const bool isUniform : { false, true })
+    {
+      const PlainQuads mesh = Grid(n, 0.2, random);
+      PlainQuads turned = mesh;
+      for (SpacePoint& point : turned.points)
+      {
+        point = TurnOfBent() * point;
+      }
+      MeshSmoothingOptions options;
+      options.uniform = isUniform;
+      const SmoothedMesh inPlane = SmoothMesh(mesh, options);
+      SmoothedMesh onSurface = SmoothMesh(turned, options, {}, &surface);
+      for (SpacePoint& point : onSurface.points)
+      {
+        point = TurnOfBent().transpose() * point;
+      }
+      EXPECT_LT(LargestDistance(inPlane.points, onSurface.points), 1e-8) << n << isUniform;
+      EXPECT_NEAR(inPlane.after.jacobian.min, onSurface.after.jacobian.min, 1e-8);
+    }
+  }
+}
+
+TEST(SmoothMesh, StaysOnASurface)
+{
+  const auto height = [](const SpacePoint& place)
+  { return 0.15 * std::sin(4.0 * place.x()) * std::cos(3.0 * place.y()); };
+  const TriangleMesh square = GridOfSquare(60);
+  SurfaceMesh surface;
+  surface.points = InSpace(square.points);
+  surface.triangles = square.triangles;
+  for (SpacePoint& point : surface.points)
+  {
+    point.z() = height(point);
+  }
+  Random random(1107);
+  PlainQuads mesh = Grid(16, 0.35, random);
+  for (SpacePoint& point : mesh.points)
+  {
+    point.z() = height(point) + random.Uniform(-0.01, 0.01); // beside the surface
+  }
+  for (const bool slides : { true, false })
+  {
+    MeshSmoothingOptions options;
+    options.slides = slides;
+    const SmoothedMesh smoothed = SmoothMesh(mesh, options, {}, &surface);
+    EXPECT_LT(smoothed.before.jacobian.min, 0.6);
+    EXPECT_GT(smoothed.after.jacobian.min, slides ? 0.85 : 0.7);
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    {
+      const SpacePoint& place = smoothed.points[p];
+      EXPECT_NEAR(place.z(), height(place), 1e-3); // of triangles with sides of 1/60
+      for (const int axis : { 0, 1 })
+      {
+        const double given = mesh.points[p][axis];
+        EXPECT_TRUE(given * (1.0 - given) != 0.0 || std::abs(place[axis] - given) < 1e-12);
+      }
+    }
+  }
+  SurfaceMesh two = surface;
+  for (const SpacePoint& point : surface.points)
+  {
+    two.points.push_back(point + SpacePoint(3.0, 0.0, 0.0));
+  }
+  for (auto triangle : surface.triangles)
+  {
+    for (int& vertex : triangle)
+    {
+      vertex += static_cast<int>(surface.points.size());
+    }
+    two.triangles.push_back(triangle);
+  }
+  EXPECT_TRUE(Refuses([&] { SmoothMesh(mesh, {}, {}, &two); }, { "2 parts", "Connectivity" }));
 }
 }
 }

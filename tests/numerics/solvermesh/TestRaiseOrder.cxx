@@ -9,7 +9,10 @@
 #include "Support.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace crossfield::test
 {
@@ -259,6 +262,98 @@ TEST(RaiseOrder, RefusesOtherOrdersAndForeignEdges)
   straight = Ring(12, 2, 1.6);
   straight.faces[1] = 5;
   EXPECT_THROW(Raised(straight, 2), Error);
+}
+
+/// The faces of a cube, n × n quads each, blown up to the unit sphere, with z ≤ `top`.
+SolverMesh QuadsOfSphere(int n, double top)
+{
+  SolverMesh mesh;
+  mesh.regionNames = { "domain" };
+  mesh.sideNames = { "rim" };
+  std::map<std::array<int, 3>, int> numbers;
+  std::map<std::pair<int, int>, int> edges;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int end : { 0, n })
+    {
+      for (int i = 0; i < n * n; ++i)
+      {
+        const auto at = [&](int di, int dj)
+        {
+          std::array<int, 3> key{};
+          const auto a = static_cast<std::size_t>(axis);
+          key[a] = end;
+          key[(a + 1) % 3] = i % n + (end == 0 ? dj : di);
+          key[(a + 2) % 3] = i / n + (end == 0 ? di : dj);
+          const auto [found, isNew] = numbers.emplace(key, static_cast<int>(mesh.points.size()));
+          if (isNew)
+          {
+            SpacePoint place;
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+              place[static_cast<Eigen::Index>(k)] = std::tan(0.25 * Pi * (2.0 * key[k] / n - 1.0));
+            }
+            mesh.points.push_back(place.normalized());
+          }
+          return found->second;
+        };
+        const std::array<int, 4> quad = { at(0, 0), at(1, 0), at(0, 1), at(1, 1) };
+        if (std::all_of(quad.begin(), quad.end(), [&](int p) {
+              return mesh.points[static_cast<std::size_t>(p)].z() <= top + 1e-12;
+            }))
+        {
+          mesh.cells.insert(mesh.cells.end(), quad.begin(), quad.end());
+          mesh.region.push_back(0);
+          for (const auto& [a, b] : { std::pair(0, 1), std::pair(1, 3), std::pair(3, 2), std::pair(2, 0) })
+          {
+            const int from = quad[static_cast<std::size_t>(a)];
+            const int to = quad[static_cast<std::size_t>(b)];
+            if (edges.erase({ to, from }) == 0)
+            {
+              edges[{ from, to }] = 0;
+            }
+          }
+        }
+      }
+    }
+  }
+  for (const auto& [edge, side] : edges)
+  {
+    mesh.faces.insert(mesh.faces.end(), { edge.first, edge.second });
+    mesh.side.push_back(side);
+  }
+  return mesh;
+}
+
+TEST(RaiseOrder, PlacesNodesOnASurface)
+{
+  for (const double top : { 1.0, 0.0 }) // closed, and half of it
+  {
+    for (const int order : { 2, 3 })
+    {
+      const SolverMesh quads = QuadsOfSphere(4, top);
+      EXPECT_EQ(quads.side.empty(), top == 1.0);
+      const auto place = [&](const SpacePoint& near, int point, bool isOnBoundary) -> SpacePoint
+      {
+        EXPECT_LT((near - quads.points[static_cast<std::size_t>(point)]).norm(), 0.6);
+        EXPECT_EQ(isOnBoundary, top == 0.0 && std::abs(near.z()) < 1e-12);
+        return near.normalized();
+      };
+      OrderQuality quality;
+      const SolverMesh raised = RaiseOrder(quads, order, quality, {}, place);
+      const int cells = quads.CellCount();
+      const int edges = (4 * cells + quads.FaceCount()) / 2;
+      EXPECT_EQ(raised.points.size(),
+        quads.points.size() +
+          static_cast<std::size_t>((order - 1) * edges + (order - 1) * (order - 1) * cells));
+      for (const SpacePoint& point : raised.points)
+      {
+        EXPECT_NEAR(point.norm(), 1.0, 1e-14);
+      }
+      EXPECT_EQ(quality.inverted, 0);
+      EXPECT_GT(quality.jacobianRatio, 0.5);
+    }
+  }
 }
 }
 }
