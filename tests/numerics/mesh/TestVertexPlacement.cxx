@@ -70,7 +70,55 @@ TEST(VertexPlacement, LeavesTheBoundaryAndThinTrianglesAlone)
   EXPECT_EQ(placed->vertex, 4);
   EXPECT_GT(placed->distance, 0.4);
   EXPECT_EQ(square.points[4], SpacePoint(0.5, 0.5, 0.0));
-  EXPECT_FALSE(placement.Place(FindNearest(square, { 0.45, 0.5, 0.0 })));
+  EXPECT_FALSE(placement.Place(FindNearest(square, { 0.499, 0.5, 0.0 })));
+}
+
+TEST(VertexPlacement, DividesTrianglesBesideSharpEdges)
+{
+  // The vertices of a box without inner points of its faces are all at edges.
+  Random random(33);
+  const SurfaceMesh box = BoxWithHoles(1, 1);
+  const double area = SurfaceTopology(box).Area();
+  int divided = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    SurfaceMesh surface = box;
+    VertexPlacement placement(surface);
+    for (int i = 0; i < 4; ++i)
+    {
+      const int t = random.Integer(0, static_cast<int>(surface.triangles.size()) - 1);
+      const auto& v = surface.triangles[static_cast<std::size_t>(t)];
+      const double a = random.Uniform(0.0, 1.0);
+      const double b = random.Uniform(0.0, 1.0 - a);
+      const auto at = [&](std::size_t k) { return surface.points[static_cast<std::size_t>(v[k])]; };
+      const SurfacePoint point = { t, (1.0 - a - b) * at(0) + a * at(1) + b * at(2), 0.0 };
+      const auto placed = placement.Place(point);
+      if (placed && placed->distance == 0.0)
+      {
+        ++divided;
+        EXPECT_EQ(surface.points[static_cast<std::size_t>(placed->vertex)], point.place);
+      }
+    }
+    const SurfaceTopology topology(surface); // a manifold, and the same surface
+    EXPECT_NEAR(topology.Area(), area, 1e-12);
+    EXPECT_EQ(topology.edges.EulerCharacteristic(topology.mesh), 0);
+    for (std::size_t p = 0; p < box.points.size(); ++p)
+    {
+      EXPECT_EQ(surface.points[p], box.points[p]);
+    }
+  }
+  EXPECT_GT(divided, 400);
+}
+
+TEST(VertexPlacement, KeepsVerticesAtTheirPlacesAtSharpEdges)
+{
+  SurfaceMesh box = BoxWithHoles(1, 2);
+  VertexPlacement placement(box);
+  const SpacePoint corner = box.points[0];
+  const auto placed = placement.Place(FindNearest(box, corner));
+  ASSERT_TRUE(placed);
+  EXPECT_EQ(placed->distance, 0.0);
+  EXPECT_EQ(box.points[static_cast<std::size_t>(placed->vertex)], corner);
 }
 }
 }
