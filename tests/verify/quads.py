@@ -31,9 +31,13 @@ def check_quads(data, report):
         _check_interfaces(data, report)
     edges = _check_edges(data, has_lines, report)
     loops = _loops(data)
-    characteristic = 2 * _check_parts(data, place, report) - len(loops)
-    report.equal("Euler characteristic of a connected mesh in its loops", characteristic,
-                 len(data.points) - len(edges) + len(data.quads))
+    characteristic = len(data.points) - len(edges) + len(data.quads)
+    without_handles = 2 * _check_parts(data, place, report) - len(loops)
+    if is_surface:
+        handles = (without_handles - characteristic) / 2
+        report.true("the number of handles is whole", handles in range(len(data.quads)), "it is %g" % handles)
+    else:
+        report.equal("Euler characteristic of a connected mesh in its loops", without_handles, characteristic)
     on_loop = np.full(len(data.points), -1)
     for number, loop in loops.items():
         on_loop[loop] = number
@@ -41,8 +45,8 @@ def check_quads(data, report):
     _check_valences(data, on_loop, characteristic, report)
     _check_blocks(data, report)
     _check_shapes(data, frame, is_surface, report)
-    report.note("SizeRatio needs the wanted sizes, and zero arcs and integers the layout, which the file does "
-                "not have: not recomputed")
+    report.note("SizeRatio needs the wanted sizes, zero arcs and integers the layout, SurfaceDistance and "
+                "ScaledJacobianBySurface the surface, which the file does not have: not recomputed")
 
 
 def _points_of_open_lines(data, place):

@@ -60,7 +60,7 @@ std::vector<int> QuadMesh::Twins() const
         if (twins[index(other.number)] >= 0 || twins[index(mine.number)] >= 0 ||
           startOf(mine.number) == startOf(other.number))
         {
-          throw Error("An edge near " + Describe(this->points[p].InPlane()) +
+          throw Error("An edge near " + DescribePlace(this->points[p].place) +
             " has more than two quads; use a smaller size.");
         }
         twins[index(mine.number)] = other.number;

@@ -1,5 +1,6 @@
 #include "SurfaceQuads.h"
 
+#include "ArcPoints.h"
 #include "ArcSpacing.h"
 #include "Error.h"
 #include "Index.h"
@@ -13,11 +14,41 @@
 #include "TargetLengths.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
+/// Returns the arcs of one edge that join the same points as another such arc.
+std::vector<std::size_t> FindRepeatedEdges(const TMesh& mesh, const std::vector<int>& counts)
+{
+  const ArcPoints points(mesh, counts);
+  UnionFind classes(Index(points.Count()));
+  for (const PointLink& link : points.Links())
+  {
+    classes.Join(link.from, link.to);
+  }
+  std::set<std::pair<int, int>> edges;
+  std::vector<std::size_t> repeated;
+  for (std::size_t a = 0; a < counts.size(); ++a)
+  {
+    if (counts[a] != 1)
+    {
+      continue;
+    }
+    const auto half = static_cast<int>(2 * a);
+    const std::pair<int, int> ends =
+      std::minmax({ classes.Find(points.At(half, 0)), classes.Find(points.At(half, 1)) });
+    if (!edges.insert(ends).second)
+    {
+      repeated.push_back(a);
+    }
+  }
+  return repeated;
+}
+
 /// Returns the edge counts for a size, with enough edges around loops without corners.
 EdgeCounts CountsFor(const TMesh& mesh, const SmoothLoops& loops, double size, SearchEffort effort)
 {
@@ -34,6 +65,21 @@ EdgeCounts CountsFor(const TMesh& mesh, const SmoothLoops& loops, double size, S
   EdgeCounts counts = Quantise(mesh, problem, effort);
   if (loops.RaiseTargets(size, counts.counts, problem))
   {
+    counts = Quantise(mesh, problem, effort);
+  }
+  // Around a handle, two arcs of one edge may join the same points.
+  constexpr int Repetitions = 5; // each leaves fewer
+  for (int i = 0; i < Repetitions; ++i)
+  {
+    const std::vector<std::size_t> repeated = FindRepeatedEdges(mesh, counts.counts);
+    if (repeated.empty())
+    {
+      break;
+    }
+    for (const std::size_t arc : repeated)
+    {
+      problem.lower[arc] = 2;
+    }
     counts = Quantise(mesh, problem, effort);
   }
   return counts;
