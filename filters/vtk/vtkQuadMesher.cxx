@@ -93,11 +93,16 @@ int vtkQuadMesher::RequestData(
       if (SurfaceConversion::IsSurface(domain))
       {
         this->RequireOptionsOfSurfaces(inputVector);
-        const crossfield::QuadWorkflowResult result =
-          crossfield::MakeQuadsOfSurface(SurfaceConversion::ReadTriangles(domain),
-            { SurfaceConversion::ReadSingularities(singularities), this->QuadSize, this->QuadCount,
-              this->HoldSingularities },
-            progress);
+        crossfield::SurfaceRequest request;
+        if (singularities != nullptr)
+        {
+          request.singularities = SurfaceConversion::ReadSingularities(singularities);
+        }
+        request.quadSize = this->QuadSize;
+        request.quadCount = this->QuadCount;
+        request.hold = this->HoldSingularities;
+        const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
+          SurfaceConversion::ReadTriangles(domain), request, progress);
         this->Warn(result);
         this->WriteOutputs(result, crossfield::DomainPlane(), outputVector);
         // Numerics of the plane have no singularities in space; the irregular nodes are those.

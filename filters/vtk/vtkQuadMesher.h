@@ -11,12 +11,12 @@
  *
  * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several
  * parts that do not touch, and loops in several blocks may bound one domain. Surface cells that are not in a plane
- * are a surface in space, closed or with a boundary: it needs singularities on port 1 whose quarter indices and those
- * of corners add up to 4χ in each part, its nodes are at their places in the map and not smoothed, and
- * of the properties only QuadSize and QuadCount apply; others are an error if they are set. Port 1, optional,
+ * are a surface in space, closed or with a boundary: the quarter indices of its singularities and those
+ * of corners add up to 4χ in each part, and of the properties only QuadSize, QuadCount and HoldSingularities apply; others
+ * are an error if they are set. Port 1, optional,
  * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
- * connection, singularities are chosen as vtkConfigurationProposal does with Automatic, then moved
- * to suit the requested quads. A connected data set without points means no singularities.
+ * connection, singularities are chosen, on a surface in space those of smooth crosses, otherwise as
+ * vtkConfigurationProposal does with Automatic, then moved to suit the requested quads. A connected data set without points means no singularities.
  *
  * Port 3, optional, what is prescribed for sides (vtkTable), one row for each: `Side`, the name (see
  * SideNameArray), and any of the columns `Count`, `Progression`, `Size` and `SizeInside` (see AddSide), `Curve` (circle,

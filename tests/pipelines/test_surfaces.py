@@ -140,6 +140,14 @@ class Surfaces(ProgramTest):
                 self.quads("part.obj", "--quads", "150", "-o", name)
                 self.assertTrue((self.folder / name).stat().st_size > 1000)
 
+    def test_chosen_singularities(self):
+        (self.folder / "part.off").write_text(off(*sphere(12)))
+        report = json.loads(self.succeed("quads", "part.off", "--quads", "600", "-o", "quads.vtu", "--json", "-"))
+        self.assertEqual((report["irregular"], report["inverted"]), ({"3": 8}, 0))
+        self.assertGreater(report["scaled_jacobian"]["min"], 0.7)
+        self.assertEqual(len(report["singularities"]), 8)
+        self.assertGreater(report["seconds"]["choose"], 0)
+
     def test_order_two(self):
         points, triangles = sphere(12)
         (self.folder / "part.off").write_text(off(points, triangles))

@@ -49,9 +49,10 @@ private:
   /// The other diagonal of the quadrilateral of a triangle and that across a side of it.
   struct Diagonal
   {
-    int triangle = -1;  ///< Across the side, −1 on the boundary.
-    int beyond = -1;    ///< Its third vertex.
-    double angle = 0.0; ///< Smallest angle of both triangles with it; 0 if there is no such diagonal in their plane.
+    int triangle = -1; ///< Across the side, −1 on the boundary.
+    int beyond = -1;   ///< Its third vertex.
+    double angle =
+      0.0; ///< Smallest angle of both triangles with it; 0 if there is no such diagonal in their plane.
   };
   /// Returns that of a triangle with a side and a vertex at a place.
   Diagonal DiagonalAcross(int from, int to, const SpacePoint& place) const;

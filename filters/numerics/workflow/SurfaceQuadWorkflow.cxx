@@ -4,6 +4,7 @@
 #include "JoinedParts.h"
 #include "QuadAdvice.h"
 #include "Stopwatch.h"
+#include "SurfaceChoice.h"
 #include "SurfaceMap.h"
 #include "SurfaceQuads.h"
 #include "SurfaceTopology.h"
@@ -17,18 +18,26 @@ namespace crossfield
 {
 namespace
 {
+/// Makes quads of a part. `chooses` is set if its cones are only those of corners.
 PartOfQuads MakeQuadsOfPart(
-  const ConedSurface& part, const SurfaceQuadOptions& options, const Progress& progress)
+  ConedSurface& part, bool chooses, const SurfaceQuadOptions& options, const Progress& progress)
 {
   PartOfQuads made;
   QuadWorkflowResult& result = made.quads;
+  Stopwatch clock;
+  if (chooses)
+  {
+    std::vector<Cone> cones =
+      ChooseSurfaceCones(*part.topology, part.cones, progress.Part(0.0, 0.4));
+    part.cones.insert(part.cones.begin(), cones.begin(), cones.end());
+    result.seconds.choose = clock.Lap();
+  }
   if (part.GivenQuarters() != part.RequiredQuarters())
   {
     throw Error(DescribeQuarters(part), Error::Kind::Inconsistent);
   }
-  Stopwatch clock;
   Layout layout;
-  layout.map = SolveSurfaceMap(part.topology, part.cones, progress.Part(0.0, 0.6));
+  layout.map = SolveSurfaceMap(part.topology, part.cones, progress.Part(0.4, 0.6));
   result.seconds.map = clock.Lap();
   layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.6, 0.7));
   layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
@@ -62,7 +71,8 @@ QuadWorkflowResult MakeQuadsOfSurface(
 {
   RequireSize(request.quadSize, request.quadCount);
   Stopwatch clock;
-  ConedSurfaces found = PlaceCones(surface, request.singularities);
+  ConedSurfaces found =
+    PlaceCones(surface, request.singularities.value_or(std::vector<SurfaceSingularity>()));
   const double placeSeconds = clock.Lap();
   double area = 0.0;
   for (const ConedSurface& part : found.parts)
@@ -77,8 +87,8 @@ QuadWorkflowResult MakeQuadsOfSurface(
       const auto count = static_cast<int>(std::max(1.0, std::round(share * request.quadCount)));
       const double begin = done;
       done = std::min(1.0, done + share);
-      return MakeQuadsOfPart(
-        found.parts[p], { request.quadSize, count, request.hold }, progress.Part(begin, done));
+      return MakeQuadsOfPart(found.parts[p], !request.singularities,
+        { request.quadSize, count, request.hold }, progress.Part(begin, done));
     });
   result.seconds.mesh = placeSeconds;
   result.events.insert(result.events.begin(), found.events.begin(), found.events.end());

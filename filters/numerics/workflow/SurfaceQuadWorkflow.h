@@ -3,21 +3,24 @@
 #include "QuadRequest.h"
 #include "SurfaceCones.h"
 
+#include <optional>
+
 namespace crossfield
 {
 /// Input of MakeQuadsOfSurface besides the surface.
 struct SurfaceRequest
 {
-  std::vector<SurfaceSingularity> singularities;
+  /// None: they are chosen (ChooseSurfaceCones).
+  std::optional<std::vector<SurfaceSingularity>> singularities;
   double quadSize = 0.0; ///< Side length of quads; 0: derived from quadCount.
   int quadCount = DefaultQuads;
   bool hold = false; ///< SurfaceQuadOptions::hold.
 };
 
-/// Makes quads of a surface in space with the given singularities, each in the nearest part (docs/method.md §22.6). Parts share the number of quads by their areas. Of the result, what
+/// Makes quads of a surface in space with the given singularities, each in the nearest part, or with chosen ones (docs/method.md §22.6, §22.11). Parts share the number of quads by their areas. Of the result, what
 /// concerns positions in a plane is empty; singularities are the irregular nodes.
 ///
-/// Throws Error as PlaceCones, SolveSurfaceMap and MakeSurfaceQuads do, and if the quarter indices of a part do not
+/// Throws Error as PlaceCones, ChooseSurfaceCones, SolveSurfaceMap and MakeSurfaceQuads do, and if the quarter indices of a part do not
 /// add up to 4χ.
 QuadWorkflowResult MakeQuadsOfSurface(
   const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress = {});

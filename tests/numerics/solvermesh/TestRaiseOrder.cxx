@@ -298,13 +298,13 @@ SolverMesh QuadsOfSphere(int n, double top)
           return found->second;
         };
         const std::array<int, 4> quad = { at(0, 0), at(1, 0), at(0, 1), at(1, 1) };
-        if (std::all_of(quad.begin(), quad.end(), [&](int p) {
-              return mesh.points[static_cast<std::size_t>(p)].z() <= top + 1e-12;
-            }))
+        if (std::all_of(quad.begin(), quad.end(),
+              [&](int p) { return mesh.points[static_cast<std::size_t>(p)].z() <= top + 1e-12; }))
         {
           mesh.cells.insert(mesh.cells.end(), quad.begin(), quad.end());
           mesh.region.push_back(0);
-          for (const auto& [a, b] : { std::pair(0, 1), std::pair(1, 3), std::pair(3, 2), std::pair(2, 0) })
+          for (const auto& [a, b] :
+            { std::pair(0, 1), std::pair(1, 3), std::pair(3, 2), std::pair(2, 0) })
           {
             const int from = quad[static_cast<std::size_t>(a)];
             const int to = quad[static_cast<std::size_t>(b)];

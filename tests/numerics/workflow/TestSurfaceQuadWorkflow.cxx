@@ -27,7 +27,8 @@ TEST(SurfaceQuadWorkflow, PlacesSingularitiesBetweenVertices)
   request.quadCount = 600;
   // Turned, so that they are at no vertices.
   const Eigen::AngleAxisd turn(0.3, SpacePoint(1.0, 2.0, 3.0).normalized());
-  for (SurfaceSingularity& one : request.singularities = CornersOfCube(1.0, SpacePoint::Zero()))
+  for (SurfaceSingularity& one :
+    request.singularities.emplace(CornersOfCube(1.0, SpacePoint::Zero())))
   {
     one.place = turn * one.place;
   }
@@ -35,7 +36,7 @@ TEST(SurfaceQuadWorkflow, PlacesSingularitiesBetweenVertices)
   EXPECT_TRUE(result.events.empty());
   EXPECT_TRUE(result.warnings.empty());
   EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 2);
-  for (const SurfaceSingularity& one : request.singularities)
+  for (const SurfaceSingularity& one : *request.singularities)
   {
     const bool hasNode =
       std::any_of(result.quads.mesh.points.begin(), result.quads.mesh.points.end(),
@@ -43,6 +44,27 @@ TEST(SurfaceQuadWorkflow, PlacesSingularitiesBetweenVertices)
         { return point.valence == 3 && (point.place - one.place).norm() < 0.01; });
     EXPECT_TRUE(hasNode);
   }
+}
+
+TEST(SurfaceQuadWorkflow, ChoosesSingularities)
+{
+  SurfaceMesh surface = CubedSphere(12);
+  for (SpacePoint& point : surface.points)
+  {
+    point = point.cwiseProduct(SpacePoint(1.6, 1.0, 0.8));
+  }
+  SurfaceRequest request;
+  request.quadCount = 800;
+  const QuadWorkflowResult result = MakeQuadsOfSurface(surface, request);
+  EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 2);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.7);
+  const auto irregular = std::count_if(result.quads.mesh.points.begin(),
+    result.quads.mesh.points.end(), [](const QuadPoint& point) { return point.valence != 4; });
+  EXPECT_EQ(irregular, 8); // of valence 3
+  request.singularities.emplace();
+  EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(surface, request); }, { "add up to 0", "needs" },
+    Error::Kind::Inconsistent));
 }
 
 TEST(SurfaceQuadWorkflow, MeshesPartsOneByOne)
@@ -62,7 +84,7 @@ TEST(SurfaceQuadWorkflow, MeshesPartsOneByOne)
   request.singularities = CornersOfCube(1.0, SpacePoint::Zero());
   for (const SurfaceSingularity& one : CornersOfCube(2.0, { 5.0, 0.0, 0.0 }))
   {
-    request.singularities.push_back(one);
+    request.singularities->push_back(one);
   }
   const QuadWorkflowResult result = MakeQuadsOfSurface(both, request);
   EXPECT_EQ(result.PartCount(), 2);
@@ -71,7 +93,7 @@ TEST(SurfaceQuadWorkflow, MeshesPartsOneByOne)
   const auto large = std::count(result.part.begin(), result.part.end(), 0);
   EXPECT_NEAR(static_cast<double>(large), 800.0, 80.0); // 6 n²
 
-  request.singularities.pop_back();
+  request.singularities->pop_back();
   EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(both, request); },
     { "Part 1 of 2", "add up to 7", "needs 8" }, Error::Kind::Inconsistent));
 }

@@ -1,0 +1,240 @@
+#include "SurfaceChoice.h"
+
+#include "Error.h"
+#include "Index.h"
+#include "SmoothCrosses.h"
+#include "SurfaceIndices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Distances along the edges of a mesh between its inner vertices.
+class EdgeDistances
+{
+public:
+  explicit EdgeDistances(const MeshTopology& topology)
+    : IsInside(Index(topology.VertexCount()), true)
+    , Neighbours(Index(topology.VertexCount()))
+  {
+    for (const BoundaryEdge& edge : topology.mesh.boundary)
+    {
+      this->IsInside[edge.vertices[0]] = false;
+    }
+    for (int e = 0; e < topology.edges.Count(); ++e)
+    {
+      const auto& [from, to] = topology.edges.vertices[e];
+      const double length = topology.Length(e);
+      this->Neighbours[from].emplace_back(to, length);
+      this->Neighbours[to].emplace_back(from, length);
+    }
+  }
+
+  /// Visits vertices inside by increasing distance from one, which need not be inside, until visit(vertex, distance)
+  /// returns false or all are visited.
+  template <typename Visit>
+  void VisitFrom(int start, const Visit& visit) const
+  {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    std::map<int, double> best = { { start, 0.0 } };
+    queue.emplace(0.0, start);
+    while (!queue.empty())
+    {
+      const auto [distance, vertex] = queue.top();
+      queue.pop();
+      if (distance > best.at(vertex))
+      {
+        continue;
+      }
+      if (this->IsInside[vertex] && !visit(vertex, distance))
+      {
+        return;
+      }
+      for (const auto& [next, length] : this->Neighbours[vertex])
+      {
+        const auto [found, isNew] = best.emplace(next, distance + length);
+        if (isNew || distance + length < found->second)
+        {
+          found->second = distance + length;
+          queue.emplace(distance + length, next);
+        }
+      }
+    }
+  }
+
+private:
+  std::vector<bool> IsInside;
+  std::vector<std::vector<std::pair<int, double>>> Neighbours;
+};
+
+/// Indices inside the surface, which change place.
+class IndexList
+{
+public:
+  explicit IndexList(const MeshTopology& topology)
+    : Topology(topology)
+    , Distances(topology)
+    , Size(std::sqrt(topology.Area()))
+  {
+  }
+
+  /// Adds an index to the inner vertex nearest to one.
+  void Add(int vertex, int quarters)
+  {
+    this->Distances.VisitFrom(vertex,
+      [&](int inside, double)
+      {
+        this->Quarters[inside] += quarters;
+        return false;
+      });
+  }
+
+  /// Leaves out pairs of one positive and one negative quarter that are nearer than a part of the size, the nearest pairs
+  /// first.
+  void Cancel(double part)
+  {
+    struct Pair
+    {
+      double distance;
+      int positive;
+      int negative;
+    };
+    std::vector<Pair> pairs;
+    for (const auto& [vertex, quarters] : this->Quarters)
+    {
+      if (quarters <= 0)
+      {
+        continue;
+      }
+      const int positive = vertex;
+      this->Distances.VisitFrom(vertex,
+        [&](int other, double distance)
+        {
+          if (this->At(other) < 0)
+          {
+            pairs.push_back({ distance, positive, other });
+          }
+          return distance < part * this->Size;
+        });
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+      [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+    for (const Pair& pair : pairs)
+    {
+      int& positive = this->Quarters[pair.positive];
+      int& negative = this->Quarters[pair.negative];
+      const int common = std::min(positive, -negative);
+      if (common > 0)
+      {
+        positive -= common;
+        negative += common;
+      }
+    }
+  }
+
+  /// Divides indices of several quarters: each quarter but one goes to a vertex at a distance of a part of the size, as far as
+  /// possible from the others.
+  void Divide(double part)
+  {
+    const std::map<int, int> before = this->Quarters;
+    for (const auto& [vertex, quarters] : before)
+    {
+      const int sign = quarters < 0 ? -1 : 1;
+      for (int i = 1; i < std::abs(quarters); ++i)
+      {
+        int farthest = -1;
+        double largest = -1.0;
+        const int from = vertex;
+        this->Distances.VisitFrom(vertex,
+          [&](int other, double distance)
+          {
+            double free = std::numeric_limits<double>::infinity();
+            for (const auto& [taken, index] : this->Quarters)
+            {
+              free = index == 0
+                ? free
+                : std::min(free,
+                    (this->Topology.PositionOf(taken) - this->Topology.PositionOf(other)).norm());
+            }
+            if (free > largest)
+            {
+              largest = free;
+              farthest = other;
+            }
+            return distance < part * this->Size;
+          });
+        if (farthest >= 0 && largest > 0.0)
+        {
+          this->Quarters[from] -= sign;
+          this->Quarters[farthest] += sign;
+        }
+      }
+    }
+  }
+
+  std::vector<Cone> Cones() const
+  {
+    std::vector<Cone> cones;
+    for (const auto& [vertex, quarters] : this->Quarters)
+    {
+      if (quarters != 0)
+      {
+        cones.push_back({ vertex, quarters, false, static_cast<int>(cones.size()) });
+      }
+    }
+    return cones;
+  }
+
+private:
+  int At(int vertex) const
+  {
+    const auto found = this->Quarters.find(vertex);
+    return found == this->Quarters.end() ? 0 : found->second;
+  }
+
+  const MeshTopology& Topology;
+  const EdgeDistances Distances;
+  const double Size;
+  std::map<int, int> Quarters;
+};
+}
+
+std::vector<Cone> ChooseSurfaceCones(
+  const MeshTopology& topology, const std::vector<Cone>& corners, const Progress& progress)
+{
+  // Nearer pairs are details that a mesh of a thousand quads would not resolve.
+  constexpr double Nearest = 0.08;
+  // Where a singularity of several quarters is divided.
+  constexpr double Apart = 0.04;
+  const Eigen::VectorXd angle = SmoothCrosses(topology, progress);
+  std::map<int, int> prescribed;
+  for (const Cone& corner : corners)
+  {
+    prescribed[corner.vertex] = corner.quarterIndex;
+  }
+  IndexList indices(topology);
+  for (const VertexSingularity& one : FindSurfaceSingularities(topology, angle, true))
+  {
+    const auto corner = prescribed.find(one.vertex);
+    const int given = corner == prescribed.end() ? 0 : std::exchange(corner->second, 0);
+    indices.Add(one.vertex, one.quarterIndex - given);
+  }
+  for (const auto& [vertex, quarters] : prescribed) // where the crosses have none
+  {
+    indices.Add(vertex, -quarters);
+  }
+  indices.Cancel(Nearest);
+  indices.Divide(Apart);
+  return indices.Cones();
+}
+}
