@@ -21,6 +21,7 @@ draw() {
 draw docs_pictures.py --folder "$folder"
 python=$("$crossfield" --paths | sed -n 's/^python: //p')
 xvfb-run -a pvpython scripts/pictures/drawings.py "$crossfield" docs/drawings
+xvfb-run -a pvpython scripts/pictures/surfaces.py "$crossfield" docs/surfaces
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/glossary.py docs/glossary
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/sizes.py docs/sizes
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/regions.py docs/regions

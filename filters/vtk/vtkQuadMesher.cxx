@@ -101,6 +101,7 @@ int vtkQuadMesher::RequestData(
         request.quadSize = this->QuadSize;
         request.quadCount = this->QuadCount;
         request.hold = this->HoldSingularities;
+        request.coarse = this->Merge == MergeCoarse;
         const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
           SurfaceConversion::ReadTriangles(domain), request, progress);
         this->Warn(result);
@@ -292,7 +293,7 @@ void vtkQuadMesher::RequireOptionsOfSurfaces(vtkInformationVector** inputVector)
     { !this->MaterialArray.empty() && this->MaterialArray != "none", "materials" },
     { !this->SideNameArray.empty(), "names of sides" },
     { this->MeshSize > 0.0, "a mesh size" },
-    { this->Merge != MergeNone, "merging of blocks" },
+    { this->Merge == MergeClean, "fewer blocks by moving singularities" },
     { this->Prefer != PreferEnergy || this->Alternative != 0 || this->Pairs != 0 ||
         this->Clearance > 0.0,
       "choosing singularities" },

@@ -12,7 +12,7 @@
  * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several
  * parts that do not touch, and loops in several blocks may bound one domain. Surface cells that are not in a plane
  * are a surface in space, closed or with a boundary: the quarter indices of its singularities and those
- * of corners add up to 4χ in each part, and of the properties only QuadSize, QuadCount and HoldSingularities apply; others
+ * of corners add up to 4χ in each part, and of the properties only QuadSize, QuadCount, HoldSingularities and Merge (none or coarse) apply; others
  * are an error if they are set. Port 1, optional,
  * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
  * connection, singularities are chosen, on a surface in space those of smooth crosses, otherwise as

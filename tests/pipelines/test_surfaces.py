@@ -147,6 +147,10 @@ class Surfaces(ProgramTest):
         self.assertGreater(report["scaled_jacobian"]["min"], 0.7)
         self.assertEqual(len(report["singularities"]), 8)
         self.assertGreater(report["seconds"]["choose"], 0)
+        coarse = json.loads(self.succeed("quads", "part.off", "--quads", "600", "--merge", "coarse", "-o", "coarse.vtu",
+                                         "--json", "-"))
+        self.assertLessEqual(coarse["blocks"], 30)
+        self.assertEqual(coarse["irregular"], {"3": 8})
 
     def test_order_two(self):
         points, triangles = sphere(12)

@@ -215,8 +215,8 @@ TEST(QuadMesherSurfaces, HaveNoPlanarOptions)
   mesher->SetLayers("outer0:0.01");
   CaptureError(mesher, { "do not support boundary layers yet", "leave this option out" });
   mesher->SetLayers("");
-  mesher->SetMerge(vtkQuadMesher::MergeCoarse);
-  CaptureError(mesher, { "do not support merging of blocks yet" });
+  mesher->SetMerge(vtkQuadMesher::MergeClean);
+  CaptureError(mesher, { "do not support fewer blocks by moving singularities yet" });
   mesher->SetMerge(vtkQuadMesher::MergeNone);
   mesher->SetSingularitiesData(CubeCorners(7));
   EXPECT_EQ(CaptureError(mesher, { "add up to 7", "needs 8" }),

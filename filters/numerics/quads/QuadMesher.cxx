@@ -4,14 +4,12 @@
 #include "ArcSpacing.h"
 #include "BoundaryOrder.h"
 #include "BoundarySymmetry.h"
-#include "Candidates.h"
-#include "Chords.h"
+#include "CoarseBlocks.h"
 #include "CountCheck.h"
 #include "Error.h"
 #include "GradedArcs.h"
 #include "HeldNodes.h"
 #include "MemoryBudget.h"
-#include "MeshGrade.h"
 #include "MoveInside.h"
 #include "NodePairs.h"
 #include "PairedArcs.h"
@@ -106,7 +104,8 @@ public:
         break;
       }
     }
-    SetCounts(std::move(*best), this->Result);
+    this->Result.size = best->size;
+    this->Result.counts = std::move(*best);
   }
 
   void Build(QuadResult& result) const
@@ -176,37 +175,20 @@ public:
   /// fewer.
   void Coarsen(const Progress& progress)
   {
-    std::vector<QuadResult> candidates = this->CoarseCandidates();
-    std::stable_sort(candidates.begin(), candidates.end(),
-      [](const QuadResult& a, const QuadResult& b)
-      { return a.blocks.blocks.size() < b.blocks.blocks.size(); });
-    candidates.erase(std::find_if(candidates.begin(), candidates.end(),
-                       [&](const QuadResult& candidate) {
-                         return candidate.blocks.blocks.size() >= this->Result.blocks.blocks.size();
-                       }),
-      candidates.end());
-    const auto count = static_cast<double>(candidates.size());
-    ProgressOfParts shared(progress);
-    AcceptFirst(
-      candidates.size(), CandidateBatch(this->Result.mesh.quads.size()),
-      [&](std::size_t i)
-      {
-        QuadResult candidate = std::move(candidates[i]);
-        const auto done = static_cast<double>(i);
-        this->Build(candidate);
-        this->Smooth(candidate, shared.Get().Part(done / count, (done + 1.0) / count));
-        return candidate;
-      },
-      [&](std::size_t, QuadResult candidate)
-      {
-        if (!IsAsGood(candidate.quality, this->Result.quality, CoarseTolerance))
+    UseFewestBlocks(
+      { [this](double size) { return this->ProblemFor(size); },
+        [this](const BlockSteps::CountsOf& countsOf) { return this->SearchCountsOf(countsOf, {}); },
+        [this](const QuadResult& result)
         {
-          return false;
-        }
-        candidate.separateBlocks = this->Result.separateBlocks;
-        this->Result = std::move(candidate);
-        return true;
-      });
+          return std::make_optional(BuildQuads(this->Map, this->Curves, result.tMesh,
+            result.counts.counts, EqualSpacing(result.tMesh, result.counts.counts), result.size));
+        },
+        [this](QuadResult& result, const Progress& part)
+        {
+          this->Build(result);
+          this->Smooth(result, part);
+        } },
+      this->Area, this->Result, progress);
   }
 
 private:
@@ -358,90 +340,6 @@ private:
     return this->Options.quadSize > 0.0
       ? 0.0
       : crossfield::CountError(this->Result.tMesh, counts, this->Options.quadCount);
-  }
-
-  static void SetCounts(EdgeCounts counts, QuadResult& result)
-  {
-    result.size = counts.size;
-    result.counts = std::move(counts);
-  }
-
-  /// Returns results with counts and blocks, but no mesh, for the different coarse solutions: those
-  /// of sizes from the target size up to that of the domain.
-  std::vector<QuadResult> CoarseCandidates() const
-  {
-    struct Solution
-    {
-      double size = 0.0;
-      EdgeCounts counts;
-    };
-    std::vector<Solution> solutions;
-    const double largest = std::sqrt(this->Area);
-    for (double size = this->Result.size; size < largest; size *= std::sqrt(2.0))
-    {
-      solutions.push_back({ size, {} });
-    }
-    ForParts(solutions.size(),
-      [&](std::size_t i)
-      {
-        QuantisationProblem problem = this->ProblemFor(solutions[i].size);
-        problem.sums.clear(); // they hold once the blocks are refined
-        solutions[i].counts = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
-      });
-    solutions.erase(
-      std::unique(solutions.begin(), solutions.end(),
-        [](const Solution& a, const Solution& b) { return a.counts.counts == b.counts.counts; }),
-      solutions.end());
-    std::vector<QuadResult> results;
-    AcceptFirst(
-      solutions.size(), CandidateBatch(this->Result.mesh.quads.size()),
-      [&](std::size_t i) { return this->Refined(solutions[i].size, solutions[i].counts); },
-      [&](std::size_t, std::optional<QuadResult> result)
-      {
-        if (result)
-        {
-          results.push_back(std::move(*result));
-        }
-        return false;
-      });
-    return results;
-  }
-
-  /// Returns the result, with counts and blocks, of a coarse solution; nothing if prescribed
-  /// numbers do not fit its blocks.
-  std::optional<QuadResult> Refined(double size, const EdgeCounts& coarse) const
-  {
-    const Chords chords(this->Result.tMesh, coarse.counts);
-    if (chords.Refine(this->ProblemFor(size)).empty())
-    {
-      return std::nullopt;
-    }
-    QuadResult result;
-    result.tMesh = this->Result.tMesh;
-    SetCounts(this->RefineCounts(coarse, chords), result);
-    result.blocks = FindBlocks(BuildQuads(this->Map, this->Curves, result.tMesh,
-      result.counts.counts, EqualSpacing(result.tMesh, result.counts.counts), result.size));
-    return result;
-  }
-
-  /// Returns counts of the target size that keep the blocks of a coarse solution.
-  EdgeCounts RefineCounts(const EdgeCounts& coarse, const Chords& chords) const
-  {
-    EdgeCounts refined = this->SearchCountsOf(
-      [&](double size, SearchEffort)
-      {
-        const QuantisationProblem problem = this->ProblemFor(size);
-        EdgeCounts counts = coarse;
-        counts.counts = chords.Refine(problem);
-        counts.cost = problem.Cost(counts.counts);
-        counts.bound = this->Result.counts.bound;
-        counts.optimal = false;
-        counts.seconds = 0.0;
-        return counts;
-      },
-      {});
-    refined.seconds = this->Result.counts.seconds;
-    return refined;
   }
 
   const SeamlessMap& Map;

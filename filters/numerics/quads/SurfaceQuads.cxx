@@ -2,6 +2,7 @@
 
 #include "ArcPoints.h"
 #include "ArcSpacing.h"
+#include "CoarseBlocks.h"
 #include "Error.h"
 #include "Index.h"
 #include "MemoryBudget.h"
@@ -49,42 +50,6 @@ std::vector<std::size_t> FindRepeatedEdges(const TMesh& mesh, const std::vector<
   return repeated;
 }
 
-/// Returns the edge counts for a size, with enough edges around loops without corners.
-EdgeCounts CountsFor(const TMesh& mesh, const SmoothLoops& loops, double size, SearchEffort effort)
-{
-  QuantisationProblem problem = MakeQuantisationProblem(mesh, size);
-  for (std::size_t a = 0; a < mesh.arcs.size(); ++a)
-  {
-    // A closed line of two edges would join the same points twice.
-    constexpr int ShortestLine = 3;
-    if (mesh.halfEdges[2 * a].node == mesh.halfEdges[2 * a + 1].node)
-    {
-      problem.lower[a] = std::max(problem.lower[a], ShortestLine);
-    }
-  }
-  EdgeCounts counts = Quantise(mesh, problem, effort);
-  if (loops.RaiseTargets(size, counts.counts, problem))
-  {
-    counts = Quantise(mesh, problem, effort);
-  }
-  // Around a handle, two arcs of one edge may join the same points.
-  constexpr int Repetitions = 5; // each leaves fewer
-  for (int i = 0; i < Repetitions; ++i)
-  {
-    const std::vector<std::size_t> repeated = FindRepeatedEdges(mesh, counts.counts);
-    if (repeated.empty())
-    {
-      break;
-    }
-    for (const std::size_t arc : repeated)
-    {
-      problem.lower[arc] = 2;
-    }
-    counts = Quantise(mesh, problem, effort);
-  }
-  return counts;
-}
-
 /// Names the boundary edges, which follow each other along every loop: a side ends at a corner.
 void NameSides(QuadMesh& mesh)
 {
@@ -111,45 +76,147 @@ void NameSides(QuadMesh& mesh)
     begin = end;
   }
 }
+
+/// Makes meshes of one layout.
+class SurfaceMesher
+{
+public:
+  SurfaceMesher(const Layout& layout, const SurfaceQuadOptions& options)
+    : Map(layout.map)
+    , Options(options)
+    , Separatrices(layout.tMesh)
+    , Loops(*layout.map.topology, layout.tMesh)
+    , Curves(*layout.map.topology)
+    , Surface(*layout.map.topology)
+    , Area(AreaOf(layout.tMesh))
+  {
+  }
+
+  QuadResult Make(const Progress& progress) const
+  {
+    QuadResult result;
+    result.tMesh = this->Separatrices;
+    result.counts = this->Search([this](double size, SearchEffort effort)
+      { return this->CountsFor(size, effort); },
+      progress.Part(0.0, 0.4));
+    result.size = result.counts.size;
+    this->Build(result, progress.Part(0.4, this->Options.coarse ? 0.7 : 1.0));
+    result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
+    if (this->Options.coarse)
+    {
+      UseFewestBlocks(
+        { [this](double size) { return this->ProblemFor(size); },
+          [this](const BlockSteps::CountsOf& countsOf) { return this->Search(countsOf, {}); },
+          [this](const QuadResult& draft) { return this->Draft(draft); },
+          [this](QuadResult& candidate, const Progress& part) { this->Build(candidate, part); } },
+        this->Area, result, progress.Part(0.7, 1.0));
+    }
+    progress.Report(1.0);
+    return result;
+  }
+
+private:
+  EdgeCounts Search(const BlockSteps::CountsOf& countsOf, const Progress& progress) const
+  {
+    return SearchCounts(this->Separatrices, this->Options.quadSize, this->Options.quadCount,
+      this->Area, countsOf, progress);
+  }
+
+  QuantisationProblem ProblemFor(double size) const
+  {
+    QuantisationProblem problem = MakeQuantisationProblem(this->Separatrices, size);
+    for (std::size_t a = 0; a < this->Separatrices.arcs.size(); ++a)
+    {
+      // A closed line of two edges would join the same points twice.
+      constexpr int ShortestLine = 3;
+      if (this->Separatrices.halfEdges[2 * a].node == this->Separatrices.halfEdges[2 * a + 1].node)
+      {
+        problem.lower[a] = std::max(problem.lower[a], ShortestLine);
+      }
+    }
+    return problem;
+  }
+
+  /// Returns the edge counts for a size, with enough edges around loops without corners.
+  EdgeCounts CountsFor(double size, SearchEffort effort) const
+  {
+    QuantisationProblem problem = this->ProblemFor(size);
+    EdgeCounts counts = Quantise(this->Separatrices, problem, effort);
+    if (this->Loops.RaiseTargets(size, counts.counts, problem))
+    {
+      counts = Quantise(this->Separatrices, problem, effort);
+    }
+    // Around a handle, two arcs of one edge may join the same points.
+    constexpr int Repetitions = 5; // each leaves fewer
+    for (int i = 0; i < Repetitions; ++i)
+    {
+      const std::vector<std::size_t> repeated =
+        FindRepeatedEdges(this->Separatrices, counts.counts);
+      if (repeated.empty())
+      {
+        break;
+      }
+      for (const std::size_t arc : repeated)
+      {
+        problem.lower[arc] = 2;
+      }
+      counts = Quantise(this->Separatrices, problem, effort);
+    }
+    return counts;
+  }
+
+  /// Returns quads at their places in the map; nothing if edges would be repeated.
+  std::optional<QuadMesh> Draft(const QuadResult& result) const
+  {
+    const std::vector<int>& counts = result.counts.counts;
+    if (!FindRepeatedEdges(result.tMesh, counts).empty())
+    {
+      return std::nullopt;
+    }
+    return BuildQuads(this->Map, this->Curves, result.tMesh, counts,
+      EqualSpacing(result.tMesh, counts), result.size);
+  }
+
+  /// Builds, smooths and measures the quads of a result with counts.
+  void Build(QuadResult& result, const Progress& progress) const
+  {
+    Stopwatch stopwatch;
+    const std::vector<int>& counts = result.counts.counts;
+    RequireMemory(static_cast<double>(CountQuads(result.tMesh, counts)) * BytesPerQuad,
+      "This number of quads", "use a larger size or fewer quads");
+    result.mesh = BuildQuads(this->Map, this->Curves, result.tMesh, counts,
+      EqualSpacing(result.tMesh, counts), result.size);
+    NameSides(result.mesh);
+    result.blocks = FindBlocks(result.mesh);
+    result.layoutSeconds += stopwatch.Lap();
+    if (this->Options.smooth)
+    {
+      result.smoothing = SmoothQuads(result.mesh, result.blocks, { this->Curves, &this->Surface },
+        std::nullopt, this->Options.hold, progress);
+    }
+    else
+    {
+      SetNormals(this->Surface, result.mesh);
+    }
+    result.smoothSeconds += stopwatch.Lap();
+    result.quality = MeasureQuads(result.mesh, result.size);
+    result.quality.surface = MeasureOnSurface(this->Surface, result.mesh);
+  }
+
+  const SeamlessMap& Map;
+  const SurfaceQuadOptions& Options;
+  const TMesh& Separatrices;
+  const SmoothLoops Loops;
+  const MeshBoundary Curves;
+  const SurfaceWalk Surface;
+  const double Area;
+};
 }
 
 QuadResult MakeSurfaceQuads(
   const Layout& layout, const SurfaceQuadOptions& options, const Progress& progress)
 {
   RequireSize(options.quadSize, options.quadCount);
-  const MeshTopology& topology = *layout.map.topology;
-  QuadResult result;
-  result.tMesh = layout.tMesh;
-  const SmoothLoops loops(topology, result.tMesh);
-  result.counts = SearchCounts(
-    result.tMesh, options.quadSize, options.quadCount, AreaOf(result.tMesh),
-    [&](double size, SearchEffort effort) { return CountsFor(result.tMesh, loops, size, effort); },
-    progress.Part(0.0, 0.5));
-  result.size = result.counts.size;
-  Stopwatch stopwatch;
-  RequireMemory(static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
-    "This number of quads", "use a larger size or fewer quads");
-  const MeshBoundary curves(topology);
-  result.mesh = BuildQuads(layout.map, curves, result.tMesh, result.counts.counts,
-    EqualSpacing(result.tMesh, result.counts.counts), result.size);
-  NameSides(result.mesh);
-  result.blocks = FindBlocks(result.mesh);
-  result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
-  result.layoutSeconds = stopwatch.Lap();
-  const SurfaceWalk surface(topology);
-  if (options.smooth)
-  {
-    result.smoothing = SmoothQuads(result.mesh, result.blocks, { curves, &surface }, std::nullopt,
-      options.hold, progress.Part(0.5, 1.0));
-  }
-  else
-  {
-    SetNormals(surface, result.mesh);
-  }
-  result.smoothSeconds = stopwatch.Lap();
-  result.quality = MeasureQuads(result.mesh, result.size);
-  result.quality.surface = MeasureOnSurface(surface, result.mesh);
-  progress.Report(1.0);
-  return result;
+  return SurfaceMesher(layout, options).Make(progress);
 }
 }

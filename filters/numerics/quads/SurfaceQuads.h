@@ -12,6 +12,8 @@ struct SurfaceQuadOptions
   int quadCount = 1000; ///< Target number of quads if quadSize is 0.
   bool hold = false;    ///< Keeps inner singularities at their positions in smoothing.
   bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
+  /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.
+  bool coarse = false;
 };
 
 /// Makes quads of the layout of a surface (docs/method.md §14, §22.8):

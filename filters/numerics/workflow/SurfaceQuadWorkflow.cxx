@@ -48,6 +48,10 @@ PartOfQuads MakeQuadsOfPart(
   result.seconds.smooth = result.quads.smoothSeconds;
   result.holonomyDefect = layout.map.holonomyDefect;
   result.blocks.none = result.quads.separateBlocks;
+  if (options.coarse)
+  {
+    result.blocks.coarse = static_cast<int>(result.quads.blocks.blocks.size());
+  }
   result.events = part.events;
   if (result.quads.quality.inverted > 0)
   {
@@ -88,7 +92,8 @@ QuadWorkflowResult MakeQuadsOfSurface(
       const double begin = done;
       done = std::min(1.0, done + share);
       return MakeQuadsOfPart(found.parts[p], !request.singularities,
-        { request.quadSize, count, request.hold }, progress.Part(begin, done));
+        { request.quadSize, count, request.hold, true, request.coarse },
+        progress.Part(begin, done));
     });
   result.seconds.mesh = placeSeconds;
   result.events.insert(result.events.begin(), found.events.begin(), found.events.end());

@@ -14,7 +14,8 @@ struct SurfaceRequest
   std::optional<std::vector<SurfaceSingularity>> singularities;
   double quadSize = 0.0; ///< Side length of quads; 0: derived from quadCount.
   int quadCount = DefaultQuads;
-  bool hold = false; ///< SurfaceQuadOptions::hold.
+  bool hold = false;   ///< SurfaceQuadOptions::hold.
+  bool coarse = false; ///< SurfaceQuadOptions::coarse.
 };
 
 /// Makes quads of a surface in space with the given singularities, each in the nearest part, or with chosen ones (docs/method.md §22.6, §22.11). Parts share the number of quads by their areas. Of the result, what

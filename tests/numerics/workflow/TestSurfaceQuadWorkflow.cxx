@@ -62,6 +62,14 @@ TEST(SurfaceQuadWorkflow, ChoosesSingularities)
   const auto irregular = std::count_if(result.quads.mesh.points.begin(),
     result.quads.mesh.points.end(), [](const QuadPoint& point) { return point.valence != 4; });
   EXPECT_EQ(irregular, 8); // of valence 3
+  request.coarse = true;
+  const QuadWorkflowResult coarse = MakeQuadsOfSurface(surface, request);
+  EXPECT_LE(coarse.quads.blocks.blocks.size(), 30u); // 6 at best
+  EXPECT_EQ(coarse.quads.blocks.blocks.size(), static_cast<std::size_t>(*coarse.blocks.coarse));
+  EXPECT_EQ(*coarse.blocks.none, *result.blocks.none);
+  EXPECT_GE(coarse.quads.quality.jacobian.min, 0.5 * result.quads.quality.jacobian.min);
+  EXPECT_EQ(coarse.quads.mesh.EulerCharacteristic(), 2);
+  request.coarse = false;
   request.singularities.emplace();
   EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(surface, request); }, { "add up to 0", "needs" },
     Error::Kind::Inconsistent));
