@@ -262,7 +262,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     domain, singularities, corners
                    as for `solve`, without holes; without singularities they are chosen for the domain, and
                    report["events"] lists the decisions. A domain may also be a surface in space: `configuration`
-                   makes its singularities from points (n, 3), and of the arguments below only size and count apply.
+                   makes its singularities from points (n, 3), and of the arguments below only size, count, hold, order and
+                   merge ("none" or "coarse") apply.
                    `corners` may also be a dictionary that sets what
                    rows of quads do, as {(1, 0): "leave", "wall": "turn"}: "end" on the next side, "turn" around
                    the corner, or "leave" it along a grid line; keys are positions, names of sides for all of
