@@ -11,6 +11,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "ProposalConversion.h"
+#include "SurfaceChoice.h"
 #include "SurfaceConversion.h"
 
 #include "vtkDataSet.h"
@@ -55,8 +56,15 @@ int vtkConfigurationProposal::RequestData(
     {
       if (SurfaceConversion::IsSurface(domain))
       {
-        throw crossfield::Error("Singularities are not chosen for a surface in space yet; give "
-                                "points with their quarter indices.");
+        if (singularities != nullptr || corners != nullptr)
+        {
+          throw crossfield::Error("Singularities of a surface in space are chosen all together; "
+                                  "leave out given singularities and corners.");
+        }
+        SurfaceConversion::WriteConfiguration(crossfield::ChooseSurfaceSingularities(
+                                                SurfaceConversion::ReadTriangles(domain), progress),
+          vtkPolyData::GetData(outputVector, 0));
+        return;
       }
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain, this);
       crossfield::AutomaticOptions automatic;

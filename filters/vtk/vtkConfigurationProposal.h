@@ -12,7 +12,11 @@
  * minimum of the renormalised energy, as vtkSingularityOptimizer does. For quads, vtkQuadMesher
  * chooses singularities itself.
  *
- * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
+ * On a surface in space, closed or open, they are those of smooth crosses (docs/method.md §22.11): output 0 has
+ * `QuarterIndex` only, the other outputs are empty, and the properties do not apply.
+ *
+ * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles, or a surface in space; then ports 1 and 2 must be
+ * empty.
  * Port 1, optional, singularities to keep (points): point arrays `QuarterIndex` (integers) and
  * optionally `Radius`.
  * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkPoincareHopfCheck.

@@ -236,11 +236,23 @@ TEST(QuadMesherSurfaces, KeepTheConventionsOfFilters)
     mesher, [&] { mesher->SetQuadCount(150); }, [&] { mesher->SetQuadCount(600); });
 }
 
-TEST(QuadMesherSurfaces, HaveNoProposal)
+TEST(QuadMesherSurfaces, HaveAProposal)
 {
   vtkNew<vtkConfigurationProposal> proposal;
   proposal->SetInputData(BlownUpCube());
-  CaptureError(proposal, { "not chosen for a surface in space yet", "give points" });
+  UpdateWithoutError(proposal);
+  vtkPolyData* chosen = proposal->GetOutput();
+  ASSERT_EQ(chosen->GetNumberOfPoints(), 8);
+  EXPECT_EQ(RequireArray(chosen->GetPointData(), "QuarterIndex")->GetRange()[0], 1.0);
+  CheckInputUntouched(proposal);
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(BlownUpCube());
+  mesher->SetSingularitiesConnection(proposal->GetOutputPort());
+  mesher->SetQuadCount(600);
+  UpdateWithoutError(mesher);
+  EXPECT_EQ(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(6))->GetNumberOfPoints(), 8);
+  proposal->SetSingularitiesData(CubeCorners());
+  CaptureError(proposal, { "chosen all together", "leave out given singularities" });
 }
 
 TEST(QuadMesherSurfaces, HaveMapAndSeparatrices)

@@ -4,6 +4,7 @@
 #include "Index.h"
 #include "SmoothCrosses.h"
 #include "SurfaceIndices.h"
+#include "SurfaceTopology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -236,5 +237,24 @@ std::vector<Cone> ChooseSurfaceCones(
   indices.Cancel(Nearest);
   indices.Divide(Apart);
   return indices.Cones();
+}
+
+std::vector<SurfaceSingularity> ChooseSurfaceSingularities(
+  const SurfaceMesh& surface, const Progress& progress)
+{
+  const ConedSurfaces found = PlaceCones(surface, {});
+  std::vector<SurfaceSingularity> chosen;
+  const auto parts = static_cast<double>(found.parts.size());
+  for (std::size_t p = 0; p < found.parts.size(); ++p)
+  {
+    const ConedSurface& part = found.parts[p];
+    const auto done = static_cast<double>(p);
+    for (const Cone& cone : ChooseSurfaceCones(
+           *part.topology, part.cones, progress.Part(done / parts, (done + 1.0) / parts)))
+    {
+      chosen.push_back({ part.topology->PositionOf(cone.vertex), cone.quarterIndex });
+    }
+  }
+  return chosen;
 }
 }

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "MeshTopology.h"
 #include "Progress.h"
-#include "SeamlessMap.h"
+#include "SurfaceCones.h"
 
 #include <vector>
 
@@ -14,4 +13,8 @@ namespace crossfield
 /// than 0.08 √area along edges are left out. Throws Error as SmoothCrosses does.
 std::vector<Cone> ChooseSurfaceCones(
   const MeshTopology& topology, const std::vector<Cone>& corners, const Progress& progress = {});
+
+/// Chooses singularities for all parts of a surface. Throws Error as PlaceCones and ChooseSurfaceCones do.
+std::vector<SurfaceSingularity> ChooseSurfaceSingularities(
+  const SurfaceMesh& surface, const Progress& progress = {});
 }

@@ -93,6 +93,16 @@ crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input)
 }
 
 //------------------------------------------------------------------------------
+void WriteConfiguration(
+  const std::vector<crossfield::SurfaceSingularity>& singularities, vtkPolyData* output)
+{
+  using Singularity = crossfield::SurfaceSingularity;
+  WritePlaces(singularities, output, [](const Singularity& one) { return one.place; });
+  ColumnWriting::AddColumn<vtkIntArray>(output->GetPointData(), names::QuarterIndex, singularities,
+    [](const Singularity& one) { return one.quarterIndex; });
+}
+
+//------------------------------------------------------------------------------
 std::vector<crossfield::SurfaceSingularity> ReadSingularities(vtkDataSet* input)
 {
   std::vector<crossfield::SurfaceSingularity> singularities;

@@ -54,6 +54,10 @@ void WriteSingularities(const crossfield::MeshTopology& topology,
 /** Writes corners with the arrays of vtkPoincareHopfCheck. */
 void WriteCorners(const std::vector<crossfield::SurfaceCorner>& corners, vtkPolyData* output);
 
+/** Writes singularities as vertices with the array `QuarterIndex`. */
+void WriteConfiguration(
+  const std::vector<crossfield::SurfaceSingularity>& singularities, vtkPolyData* output);
+
 /** Returns points with the array `QuarterIndex`; a null pointer gives none. */
 std::vector<crossfield::SurfaceSingularity> ReadSingularities(vtkDataSet* input);
 }
