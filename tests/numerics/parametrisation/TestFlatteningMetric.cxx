@@ -134,7 +134,7 @@ TEST(FlattenMetric, FindsTheConformalFlatMetric)
   for (int t = 0; t < static_cast<int>(metric.Triangles().size()); ++t)
   {
     EXPECT_GT(crossfield::TriangleArea(
-                metric.Points(), metric.Triangles()[static_cast<std::size_t>(t)].vertices),
+                metric.Triangulation(), metric.Triangles()[static_cast<std::size_t>(t)].vertices),
       0.0);
     EXPECT_GT(metric.AreaOf(t), 0.0);
   }
