@@ -8,12 +8,12 @@ namespace crossfield::test
 {
 namespace
 {
-/// Rectangle of 4 × 2, counter-clockwise, with a vertex in the middle of the lower side.
-const Loop Rectangle = { { 0, 0 }, { 2, 0 }, { 4, 0 }, { 4, 2 }, { 0, 2 } };
+/// Oblong of 4 × 2, counter-clockwise, with a vertex in the middle of the lower side.
+const Loop Oblong = { { 0, 0 }, { 2, 0 }, { 4, 0 }, { 4, 2 }, { 0, 2 } };
 
 TEST(LoopArc, EvaluatesPointsAlongTheLoop)
 {
-  const LoopArc arc(Rectangle);
+  const LoopArc arc(Oblong);
   EXPECT_EQ(arc.Length(), 12.0);
   EXPECT_EQ(arc.Start(3), 6.0);
   EXPECT_EQ(arc.At(5.0), Point(4, 1));
@@ -37,7 +37,7 @@ TEST(LoopArc, EvaluatesPointsAlongTheLoop)
 
 TEST(LoopArc, FindsNearestPoints)
 {
-  const LoopArc arc(Rectangle);
+  const LoopArc arc(Oblong);
   EXPECT_EQ(arc.Nearest({ 1, -3 }), 1.0);
   EXPECT_EQ(arc.Nearest({ 2, -3 }), 2.0);    // a vertex, equally near on both of its sides
   EXPECT_EQ(arc.Nearest({ -1, -1 }), 0.0);   // the first vertex
@@ -50,7 +50,7 @@ TEST(LoopArc, FindsNearestPoints)
 
 TEST(LoopArc, TurningAddsUpToAFullTurn)
 {
-  const LoopArc arc(Rectangle);
+  const LoopArc arc(Oblong);
   double sum = 0.0;
   for (const double turn : arc.Turns())
   {
@@ -64,7 +64,7 @@ TEST(LoopArc, TurningAddsUpToAFullTurn)
 
 TEST(LoopArc, MeasuresDistancesFromReplacementSides)
 {
-  const LoopArc arc(Rectangle);
+  const LoopArc arc(Oblong);
   // Without (4, 0), the side from (2, 0) to (4, 2) is √2 away from it.
   const std::vector<ArcVertex> vertices = { { 0.0, { 0, 0 } }, { 2.0, { 2, 0 } }, { 6.0, { 4, 2 } },
     { 10.0, { 0, 2 } } };
@@ -74,7 +74,7 @@ TEST(LoopArc, MeasuresDistancesFromReplacementSides)
 
 TEST(LoopArc, FindsTheNearestPointOfAPart)
 {
-  const LoopArc arc(Rectangle);
+  const LoopArc arc(Oblong);
   EXPECT_EQ(arc.NearestOnPart({ 1, 0.5 }, 0.0, 4.0), 1.0);
   EXPECT_EQ(arc.NearestOnPart({ 1, 0.5 }, 6.0, 4.0), 9.0);  // on the upper side
   EXPECT_EQ(arc.NearestOnPart({ 1, 0.5 }, 10.0, 4.0), 1.0); // around the first vertex
