@@ -10,7 +10,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -93,15 +92,8 @@ TEST_F(SmoothQuads, QuadsOfAPlaneInSpaceBecomeBetter)
 TEST_F(SmoothQuads, PointsMoveToASurfaceAndStayOnIt)
 {
   const vtkSmartPointer<vtkPolyData> mesh = MovedPlane(12, 0.4);
-  vtkNew<vtkPlaneSource> plane; // of the quads
-  plane->SetOrigin(1.0, 2.0, 3.0);
-  plane->SetPoint1(3.0, 2.0, 4.0);
-  plane->SetPoint2(1.0, 4.0, 3.5);
-  plane->SetResolution(30, 30);
-  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  plane->Update();
   vtkNew<vtkPolyData> hill;
-  hill->DeepCopy(plane->GetOutput());
+  hill->DeepCopy(MovedPlane(30, 0.0));
   for (vtkIdType i = 0; i < hill->GetNumberOfPoints(); ++i)
   {
     double p[3];
