@@ -61,7 +61,8 @@ int vtkCrossFieldMap::RequestData(
       MapConversion::Map result;
       if (given == nullptr && SurfaceConversion::IsSurface(domain))
       {
-        if (this->RepairHolonomy || corners != nullptr || this->MeshSize > 0.0)
+        if (this->RepairHolonomy || (corners != nullptr && corners->GetNumberOfPoints() > 0) ||
+          this->MeshSize > 0.0)
         {
           throw crossfield::Error(
             "The map of a surface in space does not support RepairHolonomy, prescribed corners and "

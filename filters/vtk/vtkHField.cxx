@@ -56,7 +56,7 @@ int vtkHField::RequestData(
       vtkUnstructuredGrid* given = DrilledMeshConversion::AsDrilledMesh(domain);
       if (given == nullptr && SurfaceConversion::IsSurface(domain))
       {
-        if (corners != nullptr || this->MeshSize > 0.0)
+        if ((corners != nullptr && corners->GetNumberOfPoints() > 0) || this->MeshSize > 0.0)
         {
           throw crossfield::Error(
             "The field of a surface in space does not support prescribed corners and MeshSize yet; "

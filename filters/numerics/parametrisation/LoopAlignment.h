@@ -6,7 +6,7 @@ namespace crossfield
 {
 /// Directions of the inner loops in a metric (docs/method.md §12.4): along a path of triangles from
 /// the outer loop to an inner one, the direction of the sides in the charts should arrive at the
-/// whole number of quarter turns that the chart there has for the loop. Around a handle (§22.9) the direction of
+/// whole number of quarter turns that the chart there has for the loop. Around a handle (docs/method.md §22.9) the direction of
 /// a side should arrive at itself, along two closed paths of triangles.
 struct LoopAlignment
 {

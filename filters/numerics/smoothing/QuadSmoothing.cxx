@@ -109,15 +109,16 @@ public:
   /// Minimises the energy of a mesh. Returns the number of steps on the mesh itself.
   int Smooth(const Level& level, const Progress& progress) const
   {
-    return this->InRounds(
-      level.mesh, SurfaceRounds, [&] { return this->SmoothOnce(level, {}, progress); });
+    return this->InRounds(level.mesh, SurfaceRounds, progress,
+      [&](const Progress& part) { return this->SmoothOnce(level, {}, part); });
   }
 
   /// Smooths some rings around every singularity, periodic side and inverted quad until convergence:
   /// there quads vary most, and a coarser mesh is least accurate.
   void SmoothNearCones(QuadMesh& mesh) const
   {
-    this->InRounds(mesh, SurfaceRounds, [&] { return this->SmoothNearConesOnce(mesh); });
+    this->InRounds(
+      mesh, SurfaceRounds, {}, [&](const Progress&) { return this->SmoothNearConesOnce(mesh); });
   }
 
   /// Distributes a deviation that cannot vanish: minimises sums of growing powers of the energy of
@@ -126,7 +127,8 @@ public:
   {
     // Each descent starts with the smallest power, and so moves points again.
     constexpr int Few = 2;
-    return this->InRounds(mesh, Few, [&] { return this->EvenOnce(mesh, progress); });
+    return this->InRounds(
+      mesh, Few, progress, [&](const Progress& part) { return this->EvenOnce(mesh, part); });
   }
 
   /// Displaces the points of a mesh that are not fixed, and untangles quads that this inverts
@@ -156,11 +158,11 @@ private:
   /// Repeats a descent on a surface until its tangent planes are near the surface, each time with new ones, unless it
   /// inverts quads: that is undone. Returns the number of steps.
   template <typename Once>
-  int InRounds(QuadMesh& mesh, int rounds, const Once& once) const
+  int InRounds(QuadMesh& mesh, int rounds, const Progress& progress, const Once& once) const
   {
     if (this->Surface == nullptr)
     {
-      return once().steps;
+      return once(progress).steps;
     }
     constexpr double Near = 1e-3; // of an edge: hardly visible
     SetNormals(*this->Surface, mesh);
@@ -169,7 +171,8 @@ private:
     {
       const std::vector<QuadPoint> before = mesh.points;
       const int inverted = RankOf(mesh).inverted;
-      const Descent descent = once();
+      const double done = static_cast<double>(round) / rounds;
+      const Descent descent = once(progress.Part(done, done + 1.0 / rounds));
       steps += descent.steps;
       SetNormals(*this->Surface, mesh);
       if (RankOf(mesh).inverted > inverted)
