@@ -185,7 +185,7 @@ class Surfaces(ProgramTest):
             self.assertLess(report["scaled_jacobian"]["by_surface"], report["scaled_jacobian"]["min"] + 1e-9)
         few = self.run_program("quads", "part.off", "-s", "eight.csv", "--quads", "6", "-o", "few.vtu")
         self.assertEqual(few.returncode, 0)
-        self.assertIn("The surface turns by more than 60 degrees within 6 quads", few.stderr)
+        self.assertIn("The surface turns by more than 60 degrees within ", few.stderr)
 
     def test_repairs(self):
         points, triangles = sphere()
