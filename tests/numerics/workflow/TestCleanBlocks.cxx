@@ -72,6 +72,7 @@ TEST(CleanBlocks, NothingToMergeChangesNothing)
 TEST(CleanBlocks, CoarseReportsAllNumbers)
 {
   QuadRequest request;
+  request.sizing = Sizing::Conformal; // others may move the nodes to where few blocks are left
   request.merge = BlockMerge::Coarse;
   const QuadWorkflowResult result = MakeQuadMesh(Blob(), request);
   ASSERT_TRUE(result.blocks.none && result.blocks.clean && result.blocks.coarse);
