@@ -38,6 +38,7 @@ def check_quads(data, report):
         report.true("the number of handles is whole", handles in range(len(data.quads)), "it is %g" % handles)
     else:
         report.equal("Euler characteristic of a connected mesh in its loops", without_handles, characteristic)
+        characteristic = without_handles
     on_loop = np.full(len(data.points), -1)
     for number, loop in loops.items():
         on_loop[loop] = number
