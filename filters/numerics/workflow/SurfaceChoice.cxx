@@ -236,7 +236,17 @@ std::vector<Cone> ChooseSurfaceCones(
   }
   indices.Cancel(Nearest);
   indices.Divide(Apart);
-  return indices.Cones();
+  std::vector<Cone> cones = indices.Cones();
+  for (const Cone& cone : cones)
+  {
+    if (std::abs(cone.quarterIndex) > 1)
+    {
+      throw Error("The surface has too few points near " + topology.Where(cone.vertex) +
+          " for its singularities",
+        "divide its triangles", Error::Kind::CoarseMesh);
+    }
+  }
+  return cones;
 }
 
 std::vector<SurfaceSingularity> ChooseSurfaceSingularities(

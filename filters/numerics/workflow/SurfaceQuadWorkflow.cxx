@@ -5,6 +5,7 @@
 #include "QuadAdvice.h"
 #include "Stopwatch.h"
 #include "SurfaceChoice.h"
+#include "SurfaceDivision.h"
 #include "SurfaceMap.h"
 #include "SurfaceQuads.h"
 #include "SurfaceTopology.h"
@@ -68,12 +69,11 @@ PartOfQuads MakeQuadsOfPart(
   made.loops = part.topology->loops.size();
   return made;
 }
-}
 
-QuadWorkflowResult MakeQuadsOfSurface(
+/// Makes quads with the triangles of a surface as they are.
+QuadWorkflowResult MakeQuadsOfTriangles(
   const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
 {
-  RequireSize(request.quadSize, request.quadCount);
   Stopwatch clock;
   ConedSurfaces found =
     PlaceCones(surface, request.singularities.value_or(std::vector<SurfaceSingularity>()));
@@ -98,5 +98,47 @@ QuadWorkflowResult MakeQuadsOfSurface(
   result.seconds.mesh = placeSeconds;
   result.events.insert(result.events.begin(), found.events.begin(), found.events.end());
   return result;
+}
+}
+
+QuadWorkflowResult MakeQuadsOfSurface(
+  const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
+{
+  constexpr int MaximumDivisions = 2;
+  constexpr std::size_t MaximumTriangles = 200000; // ten seconds
+  RequireSize(request.quadSize, request.quadCount);
+  SurfaceMesh divided;
+  const SurfaceMesh* triangles = &surface;
+  for (int divisions = 0;; ++divisions)
+  {
+    const double done = divisions == 0 ? 0.0 : 0.6 + 0.2 * (divisions - 1);
+    try
+    {
+      QuadWorkflowResult result = MakeQuadsOfTriangles(
+        *triangles, request, progress.Part(done, divisions == 0 ? 0.6 : done + 0.2));
+      if (divisions > 0)
+      {
+        result.events.push_back("The triangles of the surface were divided into " +
+          std::to_string(divisions == 1 ? 4 : 16) + " each: with larger ones there is no map.");
+      }
+      progress.Report(1.0);
+      return result;
+    }
+    catch (const Error& error)
+    {
+      if (error.GetKind() != Error::Kind::CoarseMesh || error.GetCause().empty() ||
+        4 * triangles->triangles.size() > MaximumTriangles)
+      {
+        throw;
+      }
+      if (divisions == MaximumDivisions)
+      {
+        throw Error(error.GetCause() + ", even with its triangles divided into 16",
+          "give other singularities, or a surface with more even triangles", error.GetKind());
+      }
+    }
+    divided = Divided(*triangles);
+    triangles = &divided;
+  }
 }
 }

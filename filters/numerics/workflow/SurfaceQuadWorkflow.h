@@ -21,6 +21,8 @@ struct SurfaceRequest
 /// Makes quads of a surface in space with the given singularities, each in the nearest part, or with chosen ones (docs/method.md §22.6, §22.11). Parts share the number of quads by their areas. Of the result, what
 /// concerns positions in a plane is empty; singularities are the irregular nodes.
 ///
+/// If that needs smaller triangles, those of the surface are divided into four, twice at most and to 200,000 at most.
+///
 /// Throws Error as PlaceCones, ChooseSurfaceCones, SolveSurfaceMap and MakeSurfaceQuads do, and if the quarter indices of a part do not
 /// add up to 4χ.
 QuadWorkflowResult MakeQuadsOfSurface(

@@ -75,6 +75,25 @@ TEST(SurfaceQuadWorkflow, ChoosesSingularities)
     Error::Kind::Inconsistent));
 }
 
+TEST(SurfaceQuadWorkflow, DividesCoarseTriangles)
+{
+  // A cube of twelve triangles: its corners are all neighbours.
+  SurfaceMesh cube;
+  for (int i = 0; i < 8; ++i)
+  {
+    cube.points.emplace_back(i % 2, i / 2 % 2, i / 4);
+  }
+  cube.triangles = { { 0, 3, 1 }, { 0, 2, 3 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+    { 2, 7, 3 }, { 2, 6, 7 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  SurfaceRequest request;
+  request.quadCount = 600;
+  const QuadWorkflowResult result = MakeQuadsOfSurface(cube, request);
+  EXPECT_EQ(result.quads.mesh.quads.size(), 600u);
+  EXPECT_EQ(result.quads.blocks.blocks.size(), 6u);
+  ASSERT_EQ(result.events.size(), 1u);
+  EXPECT_NE(result.events[0].find("divided into 4 each"), std::string::npos);
+}
+
 TEST(SurfaceQuadWorkflow, MeshesPartsOneByOne)
 {
   SurfaceMesh both = CubedSphere(8);
