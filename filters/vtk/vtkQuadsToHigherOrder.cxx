@@ -40,7 +40,7 @@ std::vector<std::array<int, 4>> CornersOf(const crossfield::SolverMesh& quads)
   return corners;
 }
 
-/** Returns the placement of nodes on a surface, both of which must outlive it. */
+/** Returns a function that places nodes on a surface. It refers to both arguments. */
 crossfield::NodePlacement PlacementOn(
   const crossfield::QuadsOnSurface& located, const crossfield::SolverMesh& quads)
 {

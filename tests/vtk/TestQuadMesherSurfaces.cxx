@@ -96,6 +96,17 @@ vtkSmartPointer<vtkPolyData> CubeCorners(int count = 8)
   return data;
 }
 
+/** Returns a mesher that made about this number of quads of the sphere. */
+vtkSmartPointer<vtkQuadMesher> MesherOfSphere(int count)
+{
+  auto mesher = vtkSmartPointer<vtkQuadMesher>::New();
+  mesher->SetInputData(BlownUpCube());
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(count);
+  UpdateWithoutError(mesher);
+  return mesher;
+}
+
 TEST(QuadMesherSurfaces, HaveTheGivenIrregularNodes)
 {
   const auto sphere = BlownUpCube();
@@ -167,11 +178,7 @@ TEST(QuadMesherSurfaces, MayBeStrips)
 
 TEST(QuadMesherSurfaces, ReportHowTheyFitTheSurface)
 {
-  vtkNew<vtkQuadMesher> mesher;
-  mesher->SetInputData(BlownUpCube());
-  mesher->SetSingularitiesData(CubeCorners());
-  mesher->SetQuadCount(600);
-  UpdateWithoutError(mesher);
+  const auto mesher = MesherOfSphere(600);
   vtkFieldData* report = mesher->GetOutputDataObject(8)->GetFieldData();
   vtkDataArray* distance = RequireArray(report, "SurfaceDistance");
   // Of the centre of a square with sides h, h² / 4; triangles are below the sphere as well.
@@ -183,11 +190,7 @@ TEST(QuadMesherSurfaces, ReportHowTheyFitTheSurface)
 
 TEST(QuadMesherSurfaces, HaveNodesOfOrderTwoOnTheSurface)
 {
-  vtkNew<vtkQuadMesher> mesher;
-  mesher->SetInputData(BlownUpCube());
-  mesher->SetSingularitiesData(CubeCorners());
-  mesher->SetQuadCount(150);
-  UpdateWithoutError(mesher);
+  const auto mesher = MesherOfSphere(150);
   vtkNew<vtkQuadsToHigherOrder> raiser;
   raiser->SetInputConnection(mesher->GetOutputPort());
   CaptureError(raiser, { "not planar" });

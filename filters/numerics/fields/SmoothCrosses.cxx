@@ -119,7 +119,7 @@ Eigen::VectorXd SmoothCrosses(const MeshTopology& topology, const Progress& prog
   {
     // A long time leaves the minimum; on a closed surface, what is left of any start is the least eigenvector.
     const double longTime = 10.0 * area;
-    constexpr int Steps = 20;
+    constexpr int Steps = 20; // enough for a start, which the short times below change
     const DissectedCholesky factor = energy.FactorFor(longTime, progress.Part(0.0, 0.2));
     if (isClosed)
     {

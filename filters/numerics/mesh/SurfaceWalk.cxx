@@ -54,26 +54,27 @@ TangentAxes SurfaceWalk::FrameOf(int triangle) const
   return inSpace * inChart.inverse();
 }
 
-SpacePoint SurfaceWalk::PlaceOf(const MeshPlace& place) const
+template <typename AtVertex>
+SpacePoint SurfaceWalk::Interpolate(const MeshPlace& place, const AtVertex& atVertex) const
 {
   const std::array<double, 3> weights = WeightsAt(this->Topology.ChartOf(place.triangle), place.at);
   SpacePoint sum = SpacePoint::Zero();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    sum += weights[i] * this->Topology.PositionOf(this->Topology.mesh.triangles[place.triangle][i]);
+    sum += weights[i] * atVertex(this->Topology.mesh.triangles[place.triangle][i]);
   }
   return sum;
 }
 
+SpacePoint SurfaceWalk::PlaceOf(const MeshPlace& place) const
+{
+  return this->Interpolate(place, [this](int vertex) { return this->Topology.PositionOf(vertex); });
+}
+
 SpacePoint SurfaceWalk::NormalAt(const MeshPlace& place) const
 {
-  const std::array<double, 3> weights = WeightsAt(this->Topology.ChartOf(place.triangle), place.at);
-  SpacePoint sum = SpacePoint::Zero();
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    sum += weights[i] * this->Normals[this->Topology.mesh.triangles[place.triangle][i]];
-  }
-  return sum.normalized();
+  return this->Interpolate(place, [this](int vertex) { return this->Normals[vertex]; })
+    .normalized();
 }
 
 MeshPlace SurfaceWalk::Walk(MeshPlace from, const SpacePoint& step) const

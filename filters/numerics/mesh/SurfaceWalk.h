@@ -46,6 +46,9 @@ public:
   MeshPlace Approach(MeshPlace from, const SpacePoint& place) const;
 
 private:
+  /// Returns the linear interpolation of values at the vertices.
+  template <typename AtVertex>
+  SpacePoint Interpolate(const MeshPlace& place, const AtVertex& atVertex) const;
   /// Returns the axes of the chart of a triangle in space.
   TangentAxes FrameOf(int triangle) const;
 

@@ -49,14 +49,15 @@ std::vector<double> DirectionsOfSides(const ConeMetric& metric)
 MapTargets LayOut(const ConeMetric& metric)
 {
   MapTargets result;
+  TriangleMesh mesh = metric.Triangulation();
   if (metric.IsInPlane())
   {
-    result.topology = ShareTopology(metric.Triangulation());
+    result.topology = ShareTopology(std::move(mesh));
   }
   else
   {
     result.topology = std::make_shared<const SurfaceTopology>(
-      SurfaceMesh{ metric.Points(), metric.Triangulation().triangles });
+      SurfaceMesh{ metric.Points(), std::move(mesh.triangles) });
   }
   const std::vector<double> directions = DirectionsOfSides(metric);
   for (int t = 0; t < static_cast<int>(metric.Triangles().size()); ++t)

@@ -172,11 +172,16 @@ private:
   /// Returns quads at their places in the map; nothing if edges would be repeated.
   std::optional<QuadMesh> Draft(const QuadResult& result) const
   {
-    const std::vector<int>& counts = result.counts.counts;
-    if (!FindRepeatedEdges(result.tMesh, counts).empty())
+    if (!FindRepeatedEdges(result.tMesh, result.counts.counts).empty())
     {
       return std::nullopt;
     }
+    return this->QuadsOf(result);
+  }
+
+  QuadMesh QuadsOf(const QuadResult& result) const
+  {
+    const std::vector<int>& counts = result.counts.counts;
     return BuildQuads(this->Map, this->Curves, result.tMesh, counts,
       EqualSpacing(result.tMesh, counts), result.size);
   }
@@ -185,11 +190,10 @@ private:
   void Build(QuadResult& result, const Progress& progress) const
   {
     Stopwatch stopwatch;
-    const std::vector<int>& counts = result.counts.counts;
-    RequireMemory(static_cast<double>(CountQuads(result.tMesh, counts)) * BytesPerSurfaceQuad,
-      "This number of quads", "use a larger size or fewer quads");
-    result.mesh = BuildQuads(this->Map, this->Curves, result.tMesh, counts,
-      EqualSpacing(result.tMesh, counts), result.size);
+    const auto quads = static_cast<double>(CountQuads(result.tMesh, result.counts.counts));
+    RequireMemory(
+      quads * BytesPerSurfaceQuad, "This number of quads", "use a larger size or fewer quads");
+    result.mesh = this->QuadsOf(result);
     NameSides(result.mesh);
     result.blocks = FindBlocks(result.mesh);
     result.layoutSeconds += stopwatch.Lap();

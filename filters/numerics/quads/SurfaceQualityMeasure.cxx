@@ -1,5 +1,7 @@
 #include "SurfaceQualityMeasure.h"
 
+#include "TangentFrames.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,12 +11,7 @@ namespace crossfield
 SurfaceQuality MeasureOnSurface(const SurfaceWalk& surface, const QuadMesh& mesh)
 {
   constexpr double LeastCosine = 0.5; // of 60°
-  std::vector<SpacePoint> normals;
-  normals.reserve(mesh.points.size());
-  for (const QuadPoint& point : mesh.points)
-  {
-    normals.push_back(surface.NormalAt(surface.Find(point.triangle, point.place)));
-  }
+  const std::vector<SpacePoint> normals = NormalsAtPoints(surface, mesh);
   SurfaceQuality quality;
   double smallestCosine = 1.0;
   double distances = 0.0;

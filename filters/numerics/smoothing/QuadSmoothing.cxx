@@ -7,6 +7,7 @@
 #include "QuadDescent.h"
 #include "QuadPart.h"
 #include "QuadQuality.h"
+#include "QuadRank.h"
 #include "QuadSizes.h"
 
 #include <algorithm>
@@ -51,44 +52,6 @@ struct Level
   const std::vector<double>& weights;
   const std::vector<QuadLattice>& lattices;
 };
-
-/// How good a mesh is: first by the number of inverted quads, then by the minimum scaled Jacobian.
-struct Rank
-{
-  int inverted = 0;
-  double minimum = 1.0;
-
-  bool IsBetterThan(const Rank& other) const
-  {
-    return this->inverted != other.inverted ? this->inverted < other.inverted
-                                            : this->minimum > other.minimum;
-  }
-};
-
-Rank RankOf(const QuadMesh& mesh)
-{
-  const auto quads = static_cast<std::ptrdiff_t>(mesh.quads.size());
-  std::vector<Rank> ranks(PartCount(quads));
-  ForParts(ranks.size(),
-    [&](std::size_t part)
-    {
-      Rank& rank = ranks[part];
-      const auto [begin, end] = PartRange(quads, part, ranks.size());
-      for (std::size_t q = Index(begin); q < Index(end); ++q)
-      {
-        const double jacobian = ScaledJacobian(mesh, q);
-        rank.inverted += jacobian <= 0.0 ? 1 : 0;
-        rank.minimum = std::min(rank.minimum, jacobian);
-      }
-    });
-  Rank rank;
-  for (const Rank& part : ranks)
-  {
-    rank.inverted += part.inverted;
-    rank.minimum = std::min(rank.minimum, part.minimum);
-  }
-  return rank;
-}
 
 class Smoother
 {
@@ -385,7 +348,7 @@ public:
 private:
   void Keep()
   {
-    const Rank rank = RankOf(this->At.mesh);
+    const QuadRank rank = RankOf(this->At.mesh);
     if (rank.IsBetterThan(this->Best))
     {
       this->Best = rank;
@@ -396,7 +359,7 @@ private:
   const Smoother& Shapes;
   const Level& At;
   const std::vector<std::array<double, 2>> Targets;
-  Rank Best;
+  QuadRank Best;
   std::vector<QuadPoint> Points;
 };
 
@@ -450,7 +413,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Smoo
   {
     SetNormals(*domain.surface, mesh);
   }
-  const Rank rankAtStart = RankOf(mesh);
+  const QuadRank rankAtStart = RankOf(mesh);
   if (rankAtStart.inverted > 0 || HasLongEdges(mesh, curves, LongestPartAtStart))
   {
     // Points that nearly coincide on the boundary would hardly move apart while quads untangle.
@@ -483,7 +446,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Smoo
     report.iterations += released.Smooth(level, progress.Part(0.8, 0.9));
     report.iterations += ShapeSearch(released, level).Run(progress.Part(0.9, 1.0));
   }
-  const Rank rank = RankOf(mesh);
+  const QuadRank rank = RankOf(mesh);
   if (rankAtStart.inverted < rank.inverted ||
     (rankAtStart.inverted == rank.inverted && rankAtStart.minimum > rank.minimum &&
       (!sizePart || rank.minimum <= 0.0)))

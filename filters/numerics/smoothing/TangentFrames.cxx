@@ -79,7 +79,7 @@ void TangentFrames::MoveTo(int point, const SpacePoint& place, QuadPoint& moved)
   }
 }
 
-void SetNormals(const SurfaceWalk& surface, QuadMesh& mesh)
+std::vector<SpacePoint> NormalsAtPoints(const SurfaceWalk& surface, const QuadMesh& mesh)
 {
   std::vector<SpacePoint> normals;
   normals.reserve(mesh.points.size());
@@ -87,6 +87,12 @@ void SetNormals(const SurfaceWalk& surface, QuadMesh& mesh)
   {
     normals.push_back(surface.NormalAt(surface.Find(point.triangle, point.place)));
   }
+  return normals;
+}
+
+void SetNormals(const SurfaceWalk& surface, QuadMesh& mesh)
+{
+  const std::vector<SpacePoint> normals = NormalsAtPoints(surface, mesh);
   mesh.normals.assign(mesh.quads.size(), SpacePoint::Zero());
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {

@@ -77,6 +77,9 @@ private:
   std::vector<std::array<CornerFrame, 4>> Quads; ///< Empty in the plane.
 };
 
+/// Returns the normals of a surface at the points of quads, whose triangles are set.
+std::vector<SpacePoint> NormalsAtPoints(const SurfaceWalk& surface, const QuadMesh& mesh);
+
 /// Sets the normals of quads on a surface: the mean of those at their corners.
 void SetNormals(const SurfaceWalk& surface, QuadMesh& mesh);
 }

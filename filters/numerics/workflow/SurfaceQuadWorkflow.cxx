@@ -105,7 +105,7 @@ QuadWorkflowResult MakeQuadsOfSurface(
   const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
 {
   constexpr int MaximumDivisions = 2;
-  constexpr std::size_t MaximumTriangles = 200000; // ten seconds
+  constexpr std::size_t MaximumTriangles = 200000; // a map of these takes ten seconds
   RequireSize(request.quadSize, request.quadCount);
   SurfaceMesh divided;
   const SurfaceMesh* triangles = &surface;

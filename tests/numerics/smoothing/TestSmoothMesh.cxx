@@ -268,6 +268,8 @@ TEST(SmoothMesh, StaysOnASurface)
     two.triangles.push_back(triangle);
   }
   EXPECT_TRUE(Refuses([&] { SmoothMesh(mesh, {}, {}, &two); }, { "2 parts", "Connectivity" }));
+  const SurfaceMesh none;
+  EXPECT_TRUE(Refuses([&] { SmoothMesh(mesh, {}, {}, &none); }, { "no triangle with an area" }));
 }
 }
 }

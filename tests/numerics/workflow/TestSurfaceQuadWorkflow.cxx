@@ -75,6 +75,33 @@ TEST(SurfaceQuadWorkflow, ChoosesSingularities)
     Error::Kind::Inconsistent));
 }
 
+TEST(SurfaceQuadWorkflow, MakesGoodQuadsOfSmoothSurfacesAtRandom)
+{
+  for (unsigned seed = 611; seed < 623; ++seed)
+  {
+    Random random(seed);
+    const bool isTorus = seed % 3 == 0;
+    SurfaceMesh surface = isTorus ? Torus(2.5, 60, 24) : CubedSphere(12);
+    const double size = isTorus ? 3.5 : 1.0;
+    for (int wave = 0; wave < 6; ++wave)
+    {
+      const SpacePoint along(
+        random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0));
+      const double height = random.Uniform(-0.08, 0.08);
+      for (SpacePoint& point : surface.points)
+      {
+        point *= 1.0 + height * std::sin(along.dot(point) / size + wave);
+      }
+    }
+    SurfaceRequest request;
+    request.quadCount = 1500;
+    const QuadWorkflowResult result = MakeQuadsOfSurface(surface, request);
+    EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), isTorus ? 0 : 2) << seed;
+    EXPECT_EQ(result.quads.quality.inverted, 0) << seed;
+    EXPECT_GT(result.quads.quality.jacobian.min, 0.5) << seed;
+  }
+}
+
 TEST(SurfaceQuadWorkflow, DividesCoarseTriangles)
 {
   // A cube of twelve triangles: its corners are all neighbours.
