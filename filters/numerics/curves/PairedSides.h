@@ -31,8 +31,8 @@ struct PairedSides
   /// Both sides of an interface: its nodes become one in the mesh of all regions (WeldRegions.h).
   bool isInterface = false;
   bool isOpen = false; ///< Of an interface: nodes at the same place stay two.
-  /// Set for the two sides of a slit, which are on one loop and nearly at the same place: where they are.
-  std::optional<std::array<SideSpan, 2>> slit;
+  /// Where its sides are. Set for those of a slit, which are on one loop and nearly at the same place, and on a surface.
+  std::optional<std::array<SideSpan, 2>> spans;
   /// Nodes of a mesh in order from the ends of the sides: one of the first side, and its image.
   std::vector<std::array<int, 2>> nodes;
 };

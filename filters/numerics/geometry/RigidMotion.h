@@ -13,6 +13,13 @@ struct RigidMotion
 
   Eigen::Matrix2d Rotation() const;
   Point operator()(const Point& point) const { return this->Rotation() * point + this->shift; }
+  /// Returns the image of a point in space, at the same height.
+  SpacePoint ImageOf(const SpacePoint& place) const
+  {
+    SpacePoint image = place;
+    image.head<2>() = (*this)(place.head<2>());
+    return image;
+  }
   RigidMotion Inverse() const;
   /// Returns the point that does not move; the angle must not be 0.
   Point Centre() const;

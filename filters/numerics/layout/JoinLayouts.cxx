@@ -1,6 +1,7 @@
 #include "JoinLayouts.h"
 
 #include "Index.h"
+#include "JoinedSurface.h"
 #include "TMeshJoin.h"
 
 #include <algorithm>
@@ -76,6 +77,22 @@ void AppendMap(const SeamlessMap& from, int vertices, int rows, SeamlessMap& to)
     to.flattening = from.flattening;
   }
 }
+
+/// Returns the topology of all regions with a common mesh.
+SharedTopology Join(TriangleMesh mesh, const std::vector<Layout>& regions)
+{
+  if (!regions.front().map.topology->charts)
+  {
+    return ShareTopology(std::move(mesh));
+  }
+  std::vector<SharedTopology> parts;
+  parts.reserve(regions.size());
+  for (const Layout& region : regions)
+  {
+    parts.push_back(region.map.topology);
+  }
+  return std::make_shared<const JoinedSurface>(std::move(mesh), parts);
+}
 }
 
 JoinedLayouts JoinLayouts(const std::vector<Layout>& regions)
@@ -102,7 +119,7 @@ JoinedLayouts JoinLayouts(const std::vector<Layout>& regions)
     joined.patches.push_back(all.tMesh.patches.size() - region.tMesh.patches.size());
   }
   joined.patches.push_back(all.tMesh.patches.size());
-  const SharedPlanarTopology topology = ShareTopology(std::move(mesh));
+  const SharedTopology topology = Join(std::move(mesh), regions);
   all.map.topology = topology;
   std::vector<int> loopOf(topology->mesh.points.size(), -1);
   for (std::size_t l = 0; l < topology->alignedVertices.size(); ++l)

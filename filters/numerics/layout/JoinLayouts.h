@@ -13,7 +13,7 @@ struct JoinedLayouts
   std::vector<std::size_t> patches; ///< First patch of each region, and their number.
 };
 
-/// Joins the layouts of regions with planar meshes: vertices, triangles, boundary edges, cones, nodes,
-/// arcs and patches have numbers that continue from region to region.
+/// Joins the layouts of regions, whose meshes are all planar or all surfaces: vertices, triangles, boundary
+/// edges, cones, nodes, arcs and patches have numbers that continue from region to region.
 JoinedLayouts JoinLayouts(const std::vector<Layout>& regions);
 }

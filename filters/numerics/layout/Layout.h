@@ -32,7 +32,8 @@ struct LayoutSet
   std::vector<PairedSides> pairs;
 
   LayoutSet() = default;
-  explicit LayoutSet(Layout region, std::vector<PairedSides> matching = {});
+  /// Not explicit: a layout alone is such a set.
+  LayoutSet(Layout region, std::vector<PairedSides> matching = {});
 
   /// Returns the only layout. Throws Error if there are several regions: steps that call this work on
   /// one.

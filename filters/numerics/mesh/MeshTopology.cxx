@@ -53,12 +53,12 @@ std::vector<std::vector<int>> FindAlignedVertices(
 }
 }
 
-MeshTopology::MeshTopology(TriangleMesh triangles)
+MeshTopology::MeshTopology(TriangleMesh triangles, bool isConnected)
   : mesh(std::move(triangles))
   , edges(NumberEdges(this->mesh))
   , loops(FindBoundaryLoops(this->mesh))
   , imprinted(FindImprintedLoops(this->mesh))
-  , cycles(FindCycles(this->mesh, this->edges, this->loops))
+  , cycles(isConnected ? FindCycles(this->mesh, this->edges, this->loops) : std::vector<Cycle>())
   , previous(FindPrevious(this->mesh))
   , turning(static_cast<Eigen::Index>(this->mesh.boundary.size()))
   , alignedVertices(FindAlignedVertices(this->mesh, this->loops))

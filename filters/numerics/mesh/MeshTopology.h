@@ -115,8 +115,9 @@ struct MeshTopology
   }
 
 protected:
-  /// Computes the derived data without angles. Throws Error as NumberEdges and FindBoundaryLoops do.
-  explicit MeshTopology(TriangleMesh triangles);
+  /// Computes the derived data without angles, and cycles if the mesh is connected. Throws Error as NumberEdges and
+  /// FindBoundaryLoops do.
+  explicit MeshTopology(TriangleMesh triangles, bool isConnected = true);
 };
 
 using SharedTopology = std::shared_ptr<const MeshTopology>;

@@ -2,6 +2,7 @@
 
 #include "Index.h"
 
+#include <cmath>
 #include <utility>
 
 namespace crossfield
@@ -46,6 +47,11 @@ std::size_t BoundaryCurves::SideAt(const CurvePlace& place) const
     .first;
 }
 
+int BoundaryCurves::TriangleAt(const CurvePlace& place, int otherwise) const
+{
+  return this->Triangles.empty() ? otherwise : this->Triangles[place.loop][this->SideAt(place)];
+}
+
 Point BoundaryCurves::At(const CurvePlace& place) const
 {
   return this->Curved.At(this->ArcOf(place.loop), Index(place.loop), place.at);
@@ -59,12 +65,27 @@ CurvePlace BoundaryCurves::Nearest(int loop, const Point& point) const
 CurvePlace BoundaryCurves::NearestOn(
   const PairedSides& pair, std::size_t side, int loop, const Point& point) const
 {
-  if (!pair.slit)
+  if (!pair.spans)
   {
     return this->Nearest(loop, point);
   }
-  const SideSpan& span = (*pair.slit)[side];
+  const SideSpan& span = (*pair.spans)[side];
   return { loop, this->ArcOf(loop).NearestOnPart(point, span.start, span.length) };
+}
+
+CurvePlace BoundaryCurves::ImageOn(const PairedSides& pair, std::size_t side, int loop,
+  const CurvePlace& other, const SpacePoint& image) const
+{
+  if (this->IsInPlane())
+  {
+    return this->NearestOn(pair, side, loop, image.head<2>());
+  }
+  const SideSpan& own = (*pair.spans)[side];
+  const SideSpan& opposite = (*pair.spans)[1 - side];
+  // From the middle of the other side, in the shorter direction.
+  const double fromMiddle =
+    std::remainder(other.at - opposite.start - 0.5 * opposite.length, this->Length(opposite.loop));
+  return { own.loop, own.start + 0.5 * own.length - fromMiddle };
 }
 
 Point BoundaryCurves::Tangent(const CurvePlace& place) const

@@ -36,7 +36,16 @@ public:
   /// Returns the side of the polyline at a position; at a vertex it is the side after it.
   std::size_t SideAt(const CurvePlace& place) const;
 
+  /// Returns the triangle of a surface at a position; `otherwise` if it is not known.
+  int TriangleAt(const CurvePlace& place, int otherwise) const;
+
   bool IsInPlane() const { return this->InSpace.empty(); }
+
+  /// Returns the position on a side of a pair, the first (0) or second (1), on a loop, that is the image of a
+  /// position on the other one: in the plane the nearest to `image`, on a surface the one as far from the middle
+  /// of the side.
+  CurvePlace ImageOn(const PairedSides& pair, std::size_t side, int loop, const CurvePlace& other,
+    const SpacePoint& image) const;
 
   // In the plane only:
 
@@ -60,5 +69,9 @@ private:
   std::vector<LoopArc> Arcs; ///< In the plane.
   CurvedLoops Curved;
   std::vector<ClosedPolyline<SpacePoint>> InSpace; ///< On a surface.
+
+protected:
+  /// Of a surface, per loop and side of its polyline; empty if they are not known.
+  std::vector<std::vector<int>> Triangles;
 };
 }

@@ -32,6 +32,12 @@ struct QuadPoint
   Point InPlane() const { return this->place.head<2>(); }
   /// Moves the point in the plane.
   void MoveTo(const Point& target) { this->place << target, 0.0; }
+  /// Moves the point to its position on the boundary.
+  void MoveToCurve(const BoundaryCurves& curves)
+  {
+    this->place = curves.PlaceAt(this->curve);
+    this->triangle = curves.TriangleAt(this->curve, this->triangle);
+  }
 };
 
 /// A boundary edge, with the domain on its left.

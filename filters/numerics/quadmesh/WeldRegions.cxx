@@ -39,9 +39,10 @@ void JoinEqualNames(std::vector<std::string>& names, std::vector<QuadBoundaryEdg
 }
 
 /// Sorts boundary edges so that they follow each other around the loops of the whole, with the kinds and
-/// numbers of these: outer loops by decreasing area, then inner ones, and those around open lines, from left
-/// to right. Edges of interfaces come last, in their order.
-void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryEdge>& boundary)
+/// numbers of these: in the plane outer loops by decreasing area, then inner ones, and those around open lines, from left
+/// to right; on a surface the longest loop, the outer one, first. Edges of interfaces come last, in their order.
+void NumberLoops(
+  const std::vector<QuadPoint>& points, bool isPlanar, std::vector<QuadBoundaryEdge>& boundary)
 {
   struct Chain
   {
@@ -78,7 +79,8 @@ void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryE
       const Point from = points[Index(edge.points[0])].InPlane();
       const Point to = points[Index(edge.points[1])].InPlane();
       chain.area += 0.5 * Cross(from, to);
-      chain.length += (to - from).norm();
+      chain.length +=
+        (points[Index(edge.points[1])].place - points[Index(edge.points[0])].place).norm();
       chain.leftmost =
         chain.edges.empty() || isBefore(from, chain.leftmost) ? from : chain.leftmost;
       chain.edges.push_back(edge);
@@ -90,6 +92,10 @@ void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryE
   std::stable_sort(chains.begin(), chains.end(),
     [&](const Chain& a, const Chain& b)
     {
+      if (!isPlanar)
+      {
+        return a.length > b.length;
+      }
       const bool bothAreInner = !a.IsOuter() && !b.IsOuter();
       return bothAreInner            ? isBefore(a.leftmost, b.leftmost)
         : a.IsOuter() != b.IsOuter() ? a.IsOuter()
@@ -100,7 +106,8 @@ void NumberLoops(const std::vector<QuadPoint>& points, std::vector<QuadBoundaryE
   {
     for (QuadBoundaryEdge edge : chains[c].edges)
     {
-      edge.kind = chains[c].IsOuter() ? BoundaryKind::Outer : BoundaryKind::Inner;
+      const bool isOuter = isPlanar ? chains[c].IsOuter() : c == 0;
+      edge.kind = isOuter ? BoundaryKind::Outer : BoundaryKind::Inner;
       edge.id = static_cast<int>(c);
       boundary.push_back(edge);
     }
@@ -200,7 +207,7 @@ void WeldRegions(QuadMesh& mesh)
     }
   }
   JoinEqualNames(mesh.sideNames, boundary, periodic);
-  NumberLoops(points, boundary);
+  NumberLoops(points, mesh.normals.empty(), boundary);
   for (const QuadBoundaryEdge& edge : boundary)
   {
     if (edge.kind != BoundaryKind::Interface)

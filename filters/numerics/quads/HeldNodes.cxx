@@ -66,7 +66,7 @@ void PlaceNodes(const MeshBoundary& curves, const std::vector<Point>& places, Qu
   const double extent = ExtentOf(mesh);
   const double reach = BoundaryReach * extent;
   const bool hasSlits = std::any_of(mesh.periodic.begin(), mesh.periodic.end(),
-    [](const PairedSides& pair) { return pair.slit.has_value(); });
+    [](const PairedSides& pair) { return pair.spans.has_value(); });
   const double fromBoundary = hasSlits ? SlitWidth * extent : reach; // slits are still open
   const std::vector<double> longest = LongestEdges(mesh);
   for (const Point& place : places)

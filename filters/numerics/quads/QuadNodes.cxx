@@ -47,7 +47,7 @@ void FixCorners(const MeshBoundary& curves, QuadMesh& mesh)
     if (nearest != nullptr && !nearest->fixed)
     {
       nearest->curve = corner;
-      nearest->place = place;
+      nearest->MoveToCurve(curves);
       nearest->fixed = true;
     }
   }

@@ -33,6 +33,14 @@ MeshBoundary::MeshBoundary(const MeshTopology& topology)
   , Topology(topology)
 {
   this->NumberSides();
+  for (const std::vector<int>& positions : this->Positions)
+  {
+    std::vector<int>& triangles = this->Triangles.emplace_back();
+    for (const int position : positions)
+    {
+      triangles.push_back(topology.SideOfBoundary(position).first);
+    }
+  }
 }
 
 void MeshBoundary::NumberSides()

@@ -179,7 +179,7 @@ void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shorte
       if (changes && i > 0)
       {
         point.curve.at = run.at[i];
-        point.place = curves.PlaceAt(point.curve);
+        point.MoveToCurve(curves);
       }
     }
   };

@@ -15,14 +15,16 @@ namespace
 /// times that of the sides.
 constexpr double SamePlace = 10.0 * PairReach;
 
-/// Moves the first point of a pair along its side to the position halfway to the one nearest to `place`.
+/// Moves the first point of a pair along its side to the position halfway to the image of the second.
 void MoveHalfway(
-  const BoundaryCurves& curves, const PairedSides& pair, const Point& place, QuadPoint& point)
+  const BoundaryCurves& curves, const PairedSides& pair, const QuadPoint& second, QuadPoint& point)
 {
   const double loop = curves.Length(point.curve.loop);
-  const double length = curves.NearestOn(pair, 0, point.curve.loop, place).at - point.curve.at;
+  const SpacePoint image = pair.motion.Inverse().ImageOf(second.place);
+  const double length =
+    curves.ImageOn(pair, 0, point.curve.loop, second.curve, image).at - point.curve.at;
   point.curve.at += 0.5 * (length - loop * std::round(length / loop));
-  point.MoveTo(curves.At(point.curve));
+  point.MoveToCurve(curves);
 }
 
 /// Pairs the points of two loops, of which each has its first point at the end again: those with the
@@ -35,16 +37,16 @@ void PairAround(const BoundaryCurves& curves, const QuadMesh& mesh, const std::v
   const double reach = SamePlace * curves.Length(mesh.points[first[0]].curve.loop);
   const auto imageOf = [&](std::size_t i, std::size_t turn)
   { return second[(turn + count - i) % count]; };
-  std::vector<Point> images;
+  std::vector<SpacePoint> images;
   std::vector<int> partner(count, -1); // fixed at the same place
   for (std::size_t i = 0; i < count; ++i)
   {
     const QuadPoint& point = mesh.points[first[i]];
-    images.push_back(pair.motion(point.InPlane()));
+    images.push_back(pair.motion.ImageOf(point.place));
     for (std::size_t j = 0; j < count && point.fixed; ++j)
     {
       const QuadPoint& other = mesh.points[second[j]];
-      const bool isThere = other.fixed && (other.InPlane() - images[i]).norm() <= reach;
+      const bool isThere = other.fixed && (other.place - images[i]).norm() <= reach;
       partner[i] = isThere ? second[j] : partner[i];
     }
   }
@@ -58,7 +60,7 @@ void PairAround(const BoundaryCurves& curves, const QuadMesh& mesh, const std::v
       const int image = imageOf(i, turn);
       const bool areFixed = mesh.points[first[i]].fixed && mesh.points[image].fixed;
       const bool isAllowed = partner[i] < 0 ? !areFixed : image == partner[i];
-      sum += isAllowed ? (mesh.points[image].InPlane() - images[i]).squaredNorm()
+      sum += isAllowed ? (mesh.points[image].place - images[i]).squaredNorm()
                        : std::numeric_limits<double>::infinity();
     }
     if (sum < smallest)
@@ -83,24 +85,26 @@ void MatchPair(
   const BoundaryCurves& curves, const PairedSides& pair, QuadPoint& first, QuadPoint& second)
 {
   const RigidMotion& motion = pair.motion;
-  if (pair.slit && first.fixed && second.fixed)
+  if (pair.spans && first.fixed && second.fixed)
   {
     return; // ends of a slit, which are apart
   }
-  const double distance = (motion(first.InPlane()) - second.InPlane()).norm();
+  const double distance = (motion.ImageOf(first.place) - second.place).norm();
   const bool isNear = distance <= SamePlace * curves.Length(first.curve.loop);
   if (second.fixed && !first.fixed)
   {
-    first.MoveTo(motion.Inverse()(second.InPlane()));
-    first.curve = curves.NearestOn(pair, 0, first.curve.loop, first.InPlane());
+    first.place = motion.Inverse().ImageOf(second.place);
+    first.curve = curves.ImageOn(pair, 0, first.curve.loop, second.curve, first.place);
+    first.triangle = curves.TriangleAt(first.curve, first.triangle);
   }
   else if (first.fixed == second.fixed && !isNear)
   {
-    MoveHalfway(curves, pair, motion.Inverse()(second.InPlane()), first);
+    MoveHalfway(curves, pair, second, first);
   }
   first.fixed = second.fixed = first.fixed || second.fixed;
-  second.MoveTo(motion(first.InPlane()));
-  second.curve = curves.NearestOn(pair, 1, second.curve.loop, second.InPlane());
+  second.place = motion.ImageOf(first.place);
+  second.curve = curves.ImageOn(pair, 1, second.curve.loop, first.curve, second.place);
+  second.triangle = curves.TriangleAt(second.curve, second.triangle);
 }
 }
 
@@ -153,8 +157,8 @@ double LargestMismatch(const PairedSides& pair, const QuadMesh& mesh)
   double largest = 0.0;
   for (const auto& [first, second] : pair.nodes)
   {
-    const Point image = pair.motion(mesh.points[first].InPlane());
-    largest = std::max(largest, (image - mesh.points[second].InPlane()).norm());
+    const SpacePoint image = pair.motion.ImageOf(mesh.points[first].place);
+    largest = std::max(largest, (image - mesh.points[second].place).norm());
   }
   return largest;
 }

@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// Finds the pairs of points of periodic sides, in order from their ends. Throws Error if two sides have
+/// Finds the pairs of points of paired sides, in order from their ends. Throws Error if two sides have
 /// different numbers of points, or closed ones fixed points that do not match.
 void FindPairs(const BoundaryCurves& curves, QuadMesh& mesh);
 

@@ -169,6 +169,7 @@ double QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
     QuadPoint& point = mesh.points[p];
     point.curve.at = unknowns[FirstUnknown(p)];
     this->Frames.MoveTo(p, this->Curves.PlaceAt(point.curve), point);
+    point.triangle = this->Curves.TriangleAt(point.curve, point.triangle);
   }
   double farthest = 0.0;
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
@@ -184,8 +185,10 @@ double QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
   for (const Image& image : this->Images)
   {
     QuadPoint& point = mesh.points[image.second];
-    point.MoveTo(image.motion(mesh.points[image.first].InPlane()));
-    point.curve = this->Curves.NearestOn(*image.pair, 1, point.curve.loop, point.InPlane());
+    const QuadPoint& first = mesh.points[image.first];
+    this->Frames.MoveTo(image.second, image.motion.ImageOf(first.place), point);
+    point.curve = this->Curves.ImageOn(*image.pair, 1, point.curve.loop, first.curve, point.place);
+    point.triangle = this->Curves.TriangleAt(point.curve, point.triangle);
   }
   return farthest;
 }
@@ -200,13 +203,16 @@ void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
     MinimumUnknowns);
   for (const int p : this->OnBoundary)
   {
-    this->Positions.segment<2>(FirstUnknown(p)) = this->Frames.CoordinatesOf(
-      p, this->Curves.PlaceAt({ this->Mesh.points[p].curve.loop, unknowns[FirstUnknown(p)] }));
+    this->Positions.segment<2>(FirstUnknown(p)) =
+      this->Frames.CoordinatesOf(p, this->Curves.PlaceAt(this->PlaceOf(p, unknowns)));
   }
   for (const Image& image : this->Images)
   {
-    this->Positions.segment<2>(FirstUnknown(image.second)) =
-      image.rotation * this->Positions.segment<2>(FirstUnknown(image.first)) + image.motion.shift;
+    this->Positions.segment<2>(FirstUnknown(image.second)) = this->Curves.IsInPlane()
+      ? Point(image.rotation * this->Positions.segment<2>(FirstUnknown(image.first)) +
+          image.motion.shift)
+      : this->Frames.CoordinatesOf(
+          image.second, this->Curves.PlaceAt(this->PlaceOf(image.first, unknowns)));
   }
 }
 
@@ -345,18 +351,29 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   {
     return energy + this->Order.Value(unknowns, nullptr);
   }
-  for (const Image& image : this->Images)
+  const bool isInPlane = this->Curves.IsInPlane();
+  for (std::size_t i = 0; isInPlane && i < this->Images.size(); ++i)
   {
+    const Image& image = this->Images[i];
     gradient->segment<2>(FirstUnknown(image.first)) +=
       image.rotation.transpose() * gradient->segment<2>(FirstUnknown(image.second));
   }
-  for (const int p : this->OnBoundary)
+  // The derivative by the arc length of a point with a gradient by its coordinates.
+  const auto byLength = [&](int p, const SpacePoint& along)
   {
     const Point byCoordinates = gradient->segment<2>(FirstUnknown(p));
-    const int loop = this->Mesh.points[p].curve.loop;
-    const SpacePoint along = this->Curves.DirectionAt({ loop, unknowns[FirstUnknown(p)] });
-    gradient->segment<2>(FirstUnknown(p)) << byCoordinates.dot(this->Frames.ComponentsOf(p, along)),
-      0.0;
+    return byCoordinates.dot(this->Frames.ComponentsOf(p, along));
+  };
+  for (const int p : this->OnBoundary)
+  {
+    const SpacePoint along = this->Curves.DirectionAt(this->PlaceOf(p, unknowns));
+    gradient->segment<2>(FirstUnknown(p)) << byLength(p, along), 0.0;
+  }
+  for (std::size_t i = 0; !isInPlane && i < this->Images.size(); ++i)
+  {
+    const Image& image = this->Images[i];
+    const SpacePoint along = this->Curves.DirectionAt(this->PlaceOf(image.first, unknowns));
+    (*gradient)[FirstUnknown(image.first)] += byLength(image.second, along);
   }
   if (this->Slope.size() > 0)
   {

@@ -22,8 +22,8 @@ constexpr std::ptrdiff_t MinimumUnknowns = 20000;
 /// SetPower changes it: the larger p, the more evenly it distributes a deviation that cannot vanish.
 ///
 /// There are two unknowns per point: inside, its coordinates (TangentFrames); on the boundary, the length along
-/// the polyline, and 0. On a surface, corners are seen in the planes of their quads. Fixed points have unknowns as well, with zero gradient, and so have images of
-/// points of periodic sides, which move with these points.
+/// the polyline, and 0. On a surface, corners are seen in the planes of their quads. Fixed points have unknowns
+/// as well, with zero gradient, and so have images of points of periodic sides, which move with these points.
 class QuadEnergy
 {
 public:
@@ -73,6 +73,11 @@ private:
 
   /// Collects the images, of points that move.
   void FindImages(const std::vector<bool>& moves);
+  /// Returns the position of a point on the boundary.
+  CurvePlace PlaceOf(int point, const Eigen::VectorXd& unknowns) const
+  {
+    return { this->Mesh.points[point].curve.loop, unknowns[FirstUnknown(point)] };
+  }
   /// Sets Positions.
   void SetPositions(const Eigen::VectorXd& unknowns);
   /// Returns the energy of a range of the quads. Calls store(quad, gradients at its four points) for

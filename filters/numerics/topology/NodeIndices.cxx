@@ -87,12 +87,13 @@ private:
       this->Quarter * std::abs(this->Missing[Index(corner.region)] - index);
   }
 
-  /// Returns the number of quads of a regular node.
+  /// Returns the number of quads of a node whose angles are nearest to 90°: in the plane 4 inside.
   static int RegularQuads(const NodeCorners& node)
   {
     const double angle = std::accumulate(node.corners.begin(), node.corners.end(), 0.0,
       [](double sum, const NodeCorner& corner) { return sum + corner.angle; });
-    return node.isOnBoundary ? 2 - SmallestRotationIndex(Pi - angle) : 4;
+    return node.isOnBoundary ? 2 - SmallestRotationIndex(Pi - angle)
+                             : static_cast<int>(std::lround(angle / (0.5 * Pi)));
   }
 
   /// Chooses the indices of one node for those of the others. Returns whether that lowers the energy.

@@ -27,7 +27,8 @@ int IndexOfNode(const std::vector<int>& quarterIndices, bool isOnBoundary);
 /// Chooses the quarter indices k_nr of the corners of regions at all nodes n together (docs/method.md
 /// §21.2): minimises
 ///   Σ_nr e(α_nr, k_nr) + π/16 (Σ_n |k_n − κ_n| + Σ_r |Q_r − Σ_n k_nr|)
-/// over k_nr ≤ 1, with the corner energy e, the index k_n of a node (IndexOfNode), κ_n = 0 inside and on the
+/// over k_nr ≤ 1, with the corner energy e, the index k_n of a node (IndexOfNode), κ_n inside the one that the sum of the
+/// angles suggests, 0 in the plane, and on the
 /// boundary the index that the outer boundary has there by the smallest rotation. `required` are the sums
 /// Q_r of quarter indices that singularities of a region must have if its corners at nodes have none.
 /// Nodes are improved one after the other until none can be; what is found is a local minimum.

@@ -77,7 +77,7 @@ public:
       pair.isOpen = piece.isOpen;
       if (piece.IsSlit())
       {
-        pair.slit = { FindSpan(this->Result.sides, allArcs, pair.first),
+        pair.spans = { FindSpan(this->Result.sides, allArcs, pair.first),
           FindSpan(this->Result.sides, allArcs, pair.second) };
       }
       this->PrescribeForSecond(pair);
