@@ -47,6 +47,7 @@ struct CheckOptions
   bool capCorners = true;
   double coreRadius = 0.0;
   bool cancelFlat = false;
+  double featureAngle = 35.0;
 };
 
 /** Writes the proposal to F.csv and the alternatives to F_1.csv, F_2.csv, … */
@@ -75,6 +76,8 @@ int Check(const CheckOptions& options)
   check->SetInputConnection(domain->GetOutputPort());
   proposal->SetInputConnection(domain->GetOutputPort());
   check->SetCapCorners(options.capCorners);
+  check->SetFeatureAngle(options.featureAngle);
+  proposal->SetFeatureAngle(options.featureAngle);
   check->SetMaterialArray(options.boundary.materials);
   check->SetLines(ListText::Join(options.boundary.lines));
   proposal->SetCapCorners(options.capCorners);
@@ -190,6 +193,7 @@ void AddCheckCommand(CLI::App& app, int& status)
     ->transform(NumberCheck::Whole(0, 100))
     ->needs(proposing);
   AddCapCornersTo(*command, options->capCorners, "--cap-corners,!--no-cap-corners");
+  AddFeatureAngleTo(*command, options->featureAngle);
   AddCoreRadiusTo(*command, options->coreRadius);
   command->add_flag("--cancel-flat", options->cancelFlat,
     "propose pairs of singularities that cancel corners of 135 to 180 degrees");

@@ -63,6 +63,7 @@ struct QuadsOptions
   int pairs = 0;
   bool capCorners = true;
   bool hold = false;
+  double featureAngle = 35.0;
   bool repairHolonomy = false;
   double repairPart = 1.0;
   bool split = false;
@@ -162,6 +163,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
   mesher->SetHoldSingularities(options.hold);
+  mesher->SetFeatureAngle(options.featureAngle);
   mesher->SetRepairHolonomy(options.repairHolonomy || options.repairPart < 1.0);
   mesher->SetRepairPart(options.repairPart);
   mesher->SetSplitSingularities(options.split);
@@ -357,6 +359,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->add_flag("--hold", options->hold,
     "keep the nodes of given singularities where these are; otherwise they move where shapes or "
     "sizes are poor without this, and the report lists their moves");
+  AddFeatureAngleTo(*command, options->featureAngle);
   AddRepairHolonomyTo(*command, options->repairHolonomy);
   command
     ->add_option("--repair-part", options->repairPart,

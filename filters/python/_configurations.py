@@ -67,13 +67,13 @@ def _proposal(pipeline: Pipeline, domain: Any, given: Singularities, size: Optio
 def propose(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
             corners: Union[Corners, Singularities] = None, cancel_flat_corners: bool = False,
             automatic: bool = False, clearance: Optional[float] = None,
-            keep_all: bool = False) -> Configuration:
+            keep_all: bool = False, feature_angle: float = 35.0) -> Configuration:
     """Proposes singularities that can exist on a domain: those given and those that the domain
     still needs.
 
     With `automatic` they are moved to a minimum of the energy, as `solve` does if none are given;
     `clearance` and `keep_all` are then those of `optimize`. `cancel_flat_corners` adds pairs that
-    cancel corners of 135 to 180 degrees. The other arguments are those of `solve`.
+    cancel corners of 135 to 180 degrees. `feature_angle` is as for `quads`. The other arguments are those of `solve`.
 
     >>> propose("builtin:disk").quarter_index.tolist()
     [1, 1, 1, 1]
@@ -84,6 +84,7 @@ def propose(domain: Domain, singularities: Singularities = None, *, size: Option
     proposal.SetAutomatic(automatic)
     proposal.SetClearance(checked(clearance))
     proposal.SetKeepAll(keep_all)
+    proposal.SetFeatureAngle(feature_angle)
     return configuration_of(pipeline.update(proposal))
 
 

@@ -180,7 +180,7 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
 def check(domain: Domain, singularities: Singularities = None, *,
           corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
           holonomy: bool = True, cap_corners: bool = True, materials: Optional[str] = None,
-          lines: Optional[Lines] = None) -> ConsistencyCheck:
+          lines: Optional[Lines] = None, feature_angle: float = 35.0) -> ConsistencyCheck:
     """Checks whether singularities can exist on a domain, and why, by the Poincaré-Hopf theorem.
 
     The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
@@ -188,7 +188,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     a corner. `holonomy` also computes the holonomy defects of inner loops, which takes a solve.
     `cap_corners` gives sharp corners of quarter index 2 index 1, as `quads` does. `materials` is the
     cell array of a mesh with the materials of its cells, as for `quads`: each region is checked by
-    itself. `lines` are lines inside, as for `quads`. A configuration that cannot exist is no error.
+    itself. `lines` and `feature_angle` are as for `quads`. A configuration that cannot exist is no error.
 
     >>> checked = check("builtin:disk", [(0, 0, 1)])
     >>> checked.consistent, checked.report["required_interior_quarters"]
@@ -204,6 +204,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     if corners is not None:
         filter_.SetCornersData(corner_points(corners))
     filter_.SetCornerAngle(corner_angle)
+    filter_.SetFeatureAngle(feature_angle)
     filter_.SetHolonomy(holonomy)
     filter_.SetCapCorners(cap_corners)
     filter_.SetMaterialArray(material_array(materials))

@@ -256,14 +256,14 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           sizes_near: Optional[Sequence[Sequence[float]]] = None, min_size: Optional[float] = None,
           max_size: Optional[float] = None, growth: Optional[float] = None,
           layers: Optional[Layers] = None, curves: Optional[Curves] = None,
-          periodic: Optional[Periodic] = None, order: int = 1) -> QuadMesh:
+          periodic: Optional[Periodic] = None, order: int = 1, feature_angle: float = 35.0) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
                    as for `solve`, without holes; without singularities they are chosen for the domain, and
                    report["events"] lists the decisions. A domain may also be a surface in space: `configuration`
-                   makes its singularities from points (n, 3), and of the arguments below only size, count, hold, order and
-                   merge ("none" or "coarse") apply.
+                   makes its singularities from points (n, 3), and of the arguments below only size, count, hold, order,
+                   feature_angle and merge ("none" or "coarse") apply.
                    `corners` may also be a dictionary that sets what
                    rows of quads do, as {(1, 0): "leave", "wall": "turn"}: "end" on the next side, "turn" around
                    the corner, or "leave" it along a grid line; keys are positions, names of sides for all of
@@ -328,6 +328,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     periodic       pairs of sides that are images of each other under a translation or rotation, as {"left": "right"}
                    or a list of pairs: equal numbers of edges and nodes that match; report["periodic"] has the motions
     order          order of the quads, 1 to 3; with 2 and 3, edges of the boundary follow the curves
+    feature_angle  of a surface in space: angle in degrees between the normals of two triangles above which quads follow
+                   their edge; 180: no edge is sharp
 
     The singularities and corners used are in `singularities` of the result. Inverted quads are a
     RuntimeWarning, and report["inverted"] counts them.
@@ -409,6 +411,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetPrefer(_PREFERENCES[prefer])
     mesher.SetAlternative(whole(alternative, "alternative"))
     mesher.SetHoldSingularities(hold)
+    mesher.SetFeatureAngle(feature_angle)
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetRepairPart(repair_part)
     mesher.SetSplitSingularities(split)

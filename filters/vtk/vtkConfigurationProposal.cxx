@@ -61,8 +61,9 @@ int vtkConfigurationProposal::RequestData(
           throw crossfield::Error("Singularities of a surface in space are chosen all together; "
                                   "leave out given singularities and corners.");
         }
-        SurfaceConversion::WriteConfiguration(crossfield::ChooseSurfaceSingularities(
-                                                SurfaceConversion::ReadTriangles(domain), progress),
+        SurfaceConversion::WriteConfiguration(
+          crossfield::ChooseSurfaceSingularities(SurfaceConversion::ReadTriangles(domain),
+            vtkMath::RadiansFromDegrees(this->FeatureAngle), progress),
           vtkPolyData::GetData(outputVector, 0));
         return;
       }
@@ -124,6 +125,7 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Alternatives: " << this->Alternatives << "\n";
   os << indent << "CoreRadius: " << this->CoreRadius << "\n";
   os << indent << "CancelFlatCorners: " << (this->CancelFlatCorners ? "on" : "off") << "\n";

@@ -78,6 +78,15 @@ public:
 
   ///@{
   /**
+   * Of a surface in space: sets the angle between the normals of two triangles, in degrees, above which their common edge is
+   * sharp, so that quads and crosses follow it. 180: no edge is. Default: 35.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * Adds a singularity of index 1 for each corner of interior angle in [3π/4, π), one for two
    * consecutive corners, and as many of index −1 elsewhere, so that these corners can be regular
    * points of the boundary. Default: off.
@@ -166,6 +175,7 @@ private:
   void operator=(const vtkConfigurationProposal&) = delete;
 
   double CornerAngle = 30.0;
+  double FeatureAngle = 35.0;
   bool CancelFlatCorners = false;
   bool CapCorners = false;
   bool Automatic = false;

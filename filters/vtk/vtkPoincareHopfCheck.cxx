@@ -158,7 +158,7 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
 
 /** Checks singularities of a surface in space, and writes what is known of it. */
 crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, vtkDataSet* singularities,
-  vtkDataSet* corners, vtkDataSet* output, vtkPolyData* cornerOutput)
+  vtkDataSet* corners, double featureAngle, vtkDataSet* output, vtkPolyData* cornerOutput)
 {
   if (corners != nullptr)
   {
@@ -166,7 +166,7 @@ crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, vtkDataSet* singulariti
       "The check of a surface in space does not support prescribed corners yet; leave them out.");
   }
   const crossfield::SurfaceCheck check =
-    crossfield::CheckSurface(SurfaceConversion::Read(input, singularities));
+    crossfield::CheckSurface(SurfaceConversion::Read(input, singularities, featureAngle));
   SurfaceConversion::WriteCorners(check.corners, cornerOutput);
   output->ShallowCopy(input);
   vtkFieldData* data = output->GetFieldData();
@@ -253,7 +253,8 @@ int vtkPoincareHopfCheck::RequestData(
     if (field == nullptr && SurfaceConversion::IsSurface(domain))
     {
       const crossfield::SurfaceCheck result = CheckSurface(domain, singularities, corners,
-        vtkDataSet::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 2));
+        vtkMath::RadiansFromDegrees(this->FeatureAngle), vtkDataSet::GetData(outputVector, 0),
+        vtkPolyData::GetData(outputVector, 2));
       WriteSummary(result.consistent ? "Consistent" : "Inconsistent", result.reason,
         !result.consistent, summary);
       return;
@@ -290,6 +291,7 @@ void vtkPoincareHopfCheck::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "CapCorners: " << (this->CapCorners ? "on" : "off") << "\n";
   os << indent << "Holonomy: " << (this->Holonomy ? "on" : "off") << "\n";
   os << indent << "MaterialArray: " << this->MaterialArray << "\n";

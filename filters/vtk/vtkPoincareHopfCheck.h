@@ -101,6 +101,15 @@ public:
 
   ///@{
   /**
+   * Of a surface in space: sets the angle between the normals of two triangles, in degrees, above which their common edge is
+   * sharp, so that quads and crosses follow it. 180: no edge is. Default: 35.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * Gives very sharp corners, of quarter index 2 or more, index 1, as vtkQuadMesher does by default:
    * with the same setting both require the same sum. Not used for a field. Default: off.
    */
@@ -152,6 +161,7 @@ private:
   void operator=(const vtkPoincareHopfCheck&) = delete;
 
   double CornerAngle = 30.0;
+  double FeatureAngle = 35.0;
   bool CapCorners = false;
   bool Holonomy = true;
   std::string MaterialArray;

@@ -102,6 +102,7 @@ int vtkQuadMesher::RequestData(
         request.quadCount = this->QuadCount;
         request.hold = this->HoldSingularities;
         request.coarse = this->Merge == MergeCoarse;
+        request.featureAngle = vtkMath::RadiansFromDegrees(this->FeatureAngle);
         const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
           SurfaceConversion::ReadTriangles(domain), request, progress);
         this->Warn(result);
@@ -498,6 +499,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "HoldSingularities: " << this->HoldSingularities << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "RepairPart: " << this->RepairPart << "\n";
   os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";

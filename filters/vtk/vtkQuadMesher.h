@@ -12,8 +12,8 @@
  * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several
  * parts that do not touch, and loops in several blocks may bound one domain. Surface cells that are not in a plane
  * are a surface in space, closed or with a boundary: the quarter indices of its singularities and those
- * of corners add up to 4χ in each part, and of the properties only QuadSize, QuadCount, HoldSingularities and Merge (none or coarse) apply; others
- * are an error if they are set. Port 1, optional,
+ * of corners add up to 4χ in each part, and of the properties only QuadSize, QuadCount, HoldSingularities, FeatureAngle and Merge (none or coarse) apply; others
+ * are an error if they are set. Its sharp edges are lines of quads, and each face between them has singularities of its own. Port 1, optional,
  * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
  * connection, singularities are chosen, on a surface in space those of smooth crosses, otherwise as
  * vtkConfigurationProposal does with Automatic, then moved to suit the requested quads. A connected data set without points means no singularities.
@@ -448,6 +448,15 @@ public:
 
   ///@{
   /**
+   * Of a surface in space: sets the angle between the normals of two triangles, in degrees, above which their common edge is
+   * sharp, so that quads follow it. 180: no edge is. Default: 35.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * Part of the way to the positions without defects that RepairHolonomy moves the singularities, 0
    * to 1: with less, they stay closer to their places and quads are stretched by a part of what they
    * would be. Default: 1.
@@ -586,6 +595,7 @@ private:
   double Clearance = 0.0;
   bool CapCorners = true;
   bool HoldSingularities = false;
+  double FeatureAngle = 35.0;
   bool RepairHolonomy = false;
   double RepairPart = 1.0;
   bool SplitSingularities = false;

@@ -133,6 +133,15 @@ void AddRepairHolonomyTo(CLI::App& command, bool& repair)
     "move the singularities slightly so that grid lines close up around each hole");
 }
 
+void AddFeatureAngleTo(CLI::App& command, double& angle)
+{
+  command
+    .add_option("--feature-angle", angle,
+      "of a surface in space: quads follow edges whose triangles' normals differ by more degrees; 180: "
+      "none; default: 35")
+    ->check(NumberCheck::NotNegative());
+}
+
 void AddArraysTo(CLI::App& command, int& arrays)
 {
   const std::vector<std::pair<std::string, int>> sets = { { "exact",

@@ -74,6 +74,7 @@ void AddPairsTo(CLI::App& command, int& pairs);
  */
 void AddCapCornersTo(CLI::App& command, bool& cap, const std::string& names);
 void AddRepairHolonomyTo(CLI::App& command, bool& repair);
+void AddFeatureAngleTo(CLI::App& command, double& angle);
 /** Adds --arrays; `arrays` is one of vtkCrossFieldArraySets. */
 void AddArraysTo(CLI::App& command, int& arrays);
 ///@}

@@ -1,4 +1,4 @@
-"""Meshes and draws the picture of docs/surfaces.md.
+"""Meshes and draws the pictures of docs/surfaces.md.
 
     xvfb-run -a -s -noreset pvpython scripts/pictures/surfaces.py PROGRAM FOLDER
 """
@@ -81,7 +81,7 @@ def write(surface, path):
     writer.Write()
 
 
-def add_quads(path, window, column, columns, direction):
+def add_quads(path, window, column, columns, direction, zoom):
     """Draws quads, with irregular nodes in red and blue, in a column of the window."""
     reader = vtk.vtkXMLUnstructuredGridReader()
     reader.SetFileName(path)
@@ -127,36 +127,42 @@ def add_quads(path, window, column, columns, direction):
     camera.SetPosition(*direction)
     camera.SetViewUp(0, 0, 1)
     renderer.ResetCamera()
-    camera.Zoom(1.2)
+    camera.Zoom(zoom)
     renderer.ResetCameraClippingRange()
     window.AddRenderer(renderer)
 
 
-def main(program, folder):
-    ellipsoid = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/surfaces/ellipsoid.off")
+def draw(program, inputs, zoom, path):
+    """Meshes surfaces, given with a number of quads and a direction of view, and draws them beside each other."""
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(SIDE * len(inputs), SIDE)
     with tempfile.TemporaryDirectory() as work:
-        def path_of(name):
-            return os.path.join(work, name)
-        write(isosurface(), path_of("ring.vtp"))
-        write(panel(), path_of("panel.vtp"))
-        inputs = ((ellipsoid, 1200, (2, -3, 1.6)), (path_of("ring.vtp"), 2500, (0.5, -2, 3)),
-                  (path_of("panel.vtp"), 1200, (0.4, -1.4, 3)))
-        window = vtk.vtkRenderWindow()
-        window.SetOffScreenRendering(1)
-        window.SetMultiSamples(8)
-        window.SetSize(SIDE * len(inputs), SIDE)
         for column, (surface, count, direction) in enumerate(inputs):
-            quads = path_of("quads%d.vtu" % column)
+            quads = os.path.join(work, "quads.vtu")
             subprocess.run([program, "quads", surface, "--quads", str(count), "-o", quads], check=True)
-            add_quads(quads, window, column, len(inputs), direction)
-        window.Render()
-        image = vtk.vtkWindowToImageFilter()
-        image.SetInput(window)
-        image.ReadFrontBufferOff()
-        writer = vtk.vtkPNGWriter()
-        writer.SetFileName(os.path.join(folder, "chosen.png"))
-        writer.SetInputConnection(image.GetOutputPort())
-        writer.Write()
+            add_quads(quads, window, column, len(inputs), direction, zoom)
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+def main(program, folder):
+    docs = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/surfaces/")
+    with tempfile.TemporaryDirectory() as work:
+        ring, plate = os.path.join(work, "ring.vtp"), os.path.join(work, "panel.vtp")
+        write(isosurface(), ring)
+        write(panel(), plate)
+        draw(program, ((docs + "ellipsoid.off", 1200, (2, -3, 1.6)), (ring, 2500, (0.5, -2, 3)),
+                       (plate, 1200, (0.4, -1.4, 3))), 1.2, os.path.join(folder, "chosen.png"))
+    draw(program, ((docs + "bracket.off", 1500, (2, -3, 3)), (docs + "bracket.off", 1500, (-2, 3, -3))), 0.95,
+         os.path.join(folder, "bracket.png"))
 
 
 main(*sys.argv[1:])

@@ -104,6 +104,21 @@ SurfaceMesh CubedSphere(int n)
   return surface;
 }
 
+SurfaceMesh Can(int n)
+{
+  SurfaceMesh surface = CubedSphere(n);
+  for (SpacePoint& point : surface.points)
+  {
+    point /= point.cwiseAbs().maxCoeff(); // on the cube
+    const double radius = point.head<2>().norm();
+    if (radius > 0.0)
+    {
+      point.head<2>() *= point.head<2>().cwiseAbs().maxCoeff() / radius;
+    }
+  }
+  return surface;
+}
+
 SurfaceMesh Hemisphere(int n)
 {
   return UpperPart(CubedSphere(n));

@@ -11,6 +11,9 @@ namespace crossfield::test
 /// whose corners are its first eight points.
 SurfaceMesh CubedSphere(int n);
 
+/// Returns a cylinder of radius 1 between z = −1 and z = 1 with its ends, with the triangles of that sphere.
+SurfaceMesh Can(int n);
+
 /// Returns the part of that sphere with z ≥ 0; n is even.
 SurfaceMesh Hemisphere(int n);
 

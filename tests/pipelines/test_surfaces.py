@@ -177,6 +177,27 @@ class Surfaces(ProgramTest):
                 self.assertEqual(len(rim), 2 * report["sides"][0]["edges"])
                 self.assertLess(max(abs(nodes[int(node) - 1][2]) for node in rim), 1e-12)
 
+    def test_sharp_edges(self):
+        corners = [[i % 2, i // 2 % 2, i // 4] for i in range(8)]
+        cube = [[0, 3, 1], [0, 2, 3], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4], [2, 7, 3], [2, 6, 7], [0, 4, 6],
+                [0, 6, 2], [1, 3, 7], [1, 7, 5]]
+        (self.folder / "cube.stl").write_text(stl(corners, cube))
+        report = json.loads(self.succeed("quads", "cube.stl", "--quads", "600", "-o", "cube.vtu", "--json", "-"))
+        self.assertEqual((report["quads"], report["blocks"], report["irregular"]), (600, 6, {"3": 8}))
+        self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1)
+        self.assertEqual([(side["name"], side["edges"]) for side in report["sides"]], [("features", 120)])
+        self.assertTrue(report["events"][0].startswith("Quads follow the sharp edges of the surface: 12 lines"))
+        self.succeed("quads", "cube.stl", "--quads", "600", "-o", "cube.inp")
+        self.assertIn("*NSET, NSET=features", (self.folder / "cube.inp").read_text())
+        check = json.loads(self.succeed("check", "cube.stl", "--json", "-"))
+        self.assertEqual((check["required_interior_quarters"], len(check["corners"])), (0, 24))
+        self.assertTrue(check["consistent"])
+        over = self.run_program("quads", "cube.stl", "--quads", "600", "--feature-angle", "180", "-o", "over.vtu",
+                                "--json", "-")
+        self.assertEqual(json.loads(over.stdout)["sides"], [])
+        self.assertIn("The surface turns by more than 60 degrees within ", over.stderr)
+        self.refuse("quads", "cube.stl", "-o", "q.vtu", "--feature-angle", "-1", says=["--feature-angle"])
+
     def test_how_they_fit(self):
         (self.folder / "part.off").write_text(off(*sphere(24)))
         for quads in (150, 600):

@@ -19,7 +19,7 @@ PROXIES = {
     "BoundaryCornerClassifier": (
         "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
     "BoundarySimplifier": ("filters", "Input FixedPoints Part MeshSize ThinningLength SmoothingLength CornerAngle"),
-    "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy CapCorners"),
+    "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle FeatureAngle Holonomy CapCorners"),
     "ConfigurationProposal": (
         "filters", "Input Singularities Corners CornerAngle CancelFlatCorners CapCorners Alternatives "
         "CoreRadius"),
@@ -37,7 +37,7 @@ PROXIES = {
                        "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
-                   "HoldSingularities RepairHolonomy SplitSingularities Curves"),
+                   "HoldSingularities FeatureAngle RepairHolonomy SplitSingularities Curves"),
     "SmoothQuads": ("filters", "Input SlideOnBoundary CornerAngle UniformSizes"),
     "QuadsToHigherOrder": ("filters", "Input Boundary Order"),
     "ExtrudeQuads": ("filters", "Input Boundary Motion Layers Height Angle Axis"),

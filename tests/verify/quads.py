@@ -29,6 +29,8 @@ def check_quads(data, report):
     has_lines = "BoundaryId" in data.cells
     if has_lines and "Region" in data.quad_cells:
         _check_interfaces(data, report)
+    if has_lines:
+        _check_features(data, report)
     edges = _check_edges(data, has_lines, report)
     loops = _loops(data)
     characteristic = len(data.points) - len(edges) + len(data.quads)
@@ -73,9 +75,25 @@ def _check_interfaces(data, report):
     for name, step in (("RegionLeft", 1), ("RegionRight", -1), ("Region", 1)):
         report.true(name + " is the material beside a line", data.cells[name][1].tolist() == [
             left.get(tuple(line[::step]), -1) for line in data.lines.tolist()])
-    data.lines = data.lines[~inner]
+    _leave(data, ~inner)
+
+
+def _check_features(data, report):
+    """Checks the lines on sharp edges of a surface, and leaves only those of the boundary in `data`."""
+    inner = data.cells["BoundaryKind"][1] == 7
+    sides = {(quad[i], quad[(i + 1) % 4]) for quad in data.quads.tolist() for i in range(4)}
+    lines = data.lines[inner].tolist()
+    report.true("the edges on sharp edges are inside, with one line each",
+                all((a, b) in sides and (b, a) in sides for a, b in lines) and
+                len(lines) == len({frozenset(line) for line in lines}))
+    _leave(data, ~inner)
+
+
+def _leave(data, kept):
+    """Leaves some of the lines in `data`."""
+    data.lines = data.lines[kept]
     for name, (cells, of_lines) in data.cells.items():
-        data.cells[name] = cells, of_lines[~inner]
+        data.cells[name] = cells, of_lines[kept]
 
 
 def _components(count, quads):

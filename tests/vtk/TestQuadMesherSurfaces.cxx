@@ -30,6 +30,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -237,6 +238,68 @@ TEST(QuadMesherSurfaces, KeepTheConventionsOfFilters)
   CheckProgressAndAbort(mesher);
   CheckRunTwice(
     mesher, [&] { mesher->SetQuadCount(150); }, [&] { mesher->SetQuadCount(600); });
+}
+
+/** Returns the cube with edges of length 2 with the quadrilaterals of that sphere. */
+vtkSmartPointer<vtkPolyData> Cube()
+{
+  auto cube = BlownUpCube();
+  for (vtkIdType p = 0; p < cube->GetNumberOfPoints(); ++p)
+  {
+    double place[3];
+    cube->GetPoint(p, place);
+    const double largest = std::max({ std::abs(place[0]), std::abs(place[1]), std::abs(place[2]) });
+    cube->GetPoints()->SetPoint(p, place[0] / largest, place[1] / largest, place[2] / largest);
+  }
+  return cube;
+}
+
+/** Returns the number of edges on sharp edges in the boundary of a mesher's quads. */
+vtkIdType CountFeatures(vtkQuadMesher* mesher)
+{
+  vtkDataArray* kinds = RequireArray(
+    vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(5))->GetCellData(), "BoundaryKind");
+  vtkIdType count = 0;
+  for (vtkIdType line = 0; line < kinds->GetNumberOfTuples(); ++line)
+  {
+    count += kinds->GetTuple1(line) == 7.0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(QuadMesherSurfaces, FollowSharpEdges)
+{
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(Cube());
+  mesher->SetQuadCount(600);
+  UpdateWithoutError(mesher);
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 600);
+  EXPECT_EQ(CountFeatures(mesher), 120);
+  EXPECT_EQ(
+    vtkMultiBlockDataSet::SafeDownCast(mesher->GetOutputDataObject(1))->GetNumberOfBlocks(), 6U);
+  EXPECT_EQ(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(6))->GetNumberOfPoints(), 8);
+  CheckInputUntouched(mesher);
+  CheckProgressAndAbort(mesher);
+  mesher->SetFeatureAngle(180.0);
+  UpdateWithoutError(mesher);
+  EXPECT_EQ(CountFeatures(mesher), 0);
+
+  vtkNew<vtkPoincareHopfCheck> check;
+  check->SetInputData(Cube());
+  check->Update();
+  EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("Consistent")->GetTuple1(0), 1.0);
+  check->SetFeatureAngle(180.0);
+  check->Update();
+  EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("Consistent")->GetTuple1(0), 0.0);
+
+  vtkNew<vtkConfigurationProposal> proposal;
+  proposal->SetInputData(Cube());
+  proposal->Update();
+  EXPECT_EQ(proposal->GetErrorCode(), 0U);
+  EXPECT_EQ(proposal->GetOutput()->GetNumberOfPoints(), 0);
+  proposal->SetFeatureAngle(180.0);
+  UpdateWithoutError(proposal);
+  EXPECT_EQ(proposal->GetOutput()->GetNumberOfPoints(), 8);
 }
 
 TEST(QuadMesherSurfaces, HaveAProposal)

@@ -10,6 +10,7 @@ enum class BoundaryKind
   Inner = 2,
   Hole = 3,
   ImprintedCircle = 4,
-  Interface = 5 ///< Of quads: between two regions.
+  Interface = 5, ///< Of quads: between two regions.
+  Feature = 7    ///< Of quads: a sharp edge of a surface.
 };
 }

@@ -2,10 +2,14 @@
 
 #include "ArcPoints.h"
 #include "ArcSpacing.h"
+#include "BoundaryOrder.h"
 #include "CoarseBlocks.h"
 #include "Error.h"
 #include "Index.h"
+#include "LineSides.h"
 #include "MemoryBudget.h"
+#include "NodePairs.h"
+#include "PrescribedSums.h"
 #include "QuadBuilder.h"
 #include "QuadMesher.h"
 #include "SizeSearch.h"
@@ -13,8 +17,11 @@
 #include "Stopwatch.h"
 #include "SurfaceQualityMeasure.h"
 #include "TargetLengths.h"
+#include "UnionFind.h"
+#include "WeldRegions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -54,17 +61,20 @@ std::vector<std::size_t> FindRepeatedEdges(const TMesh& mesh, const std::vector<
   return repeated;
 }
 
-/// Names the boundary edges, which follow each other along every loop: a side ends at a corner.
+/// Names the edges of the boundary, which follow each other along every loop and are before those of lines: a
+/// side ends at a corner.
 void NameSides(QuadMesh& mesh)
 {
   const auto isCorner = [&mesh](const QuadBoundaryEdge& edge)
   { return mesh.points[edge.points[0]].quarterIndex != 0; };
   int outer = 0;
   int hole = 0;
-  for (auto begin = mesh.boundary.begin(); begin != mesh.boundary.end();)
+  const auto last = std::find_if(mesh.boundary.begin(), mesh.boundary.end(),
+    [](const QuadBoundaryEdge& edge) { return edge.kind == BoundaryKind::Interface; });
+  for (auto begin = mesh.boundary.begin(); begin != last;)
   {
-    const auto end = std::find_if(begin, mesh.boundary.end(),
-      [begin](const QuadBoundaryEdge& edge) { return edge.id != begin->id; });
+    const auto end = std::find_if(
+      begin, last, [begin](const QuadBoundaryEdge& edge) { return edge.id != begin->id; });
     const auto first = std::find_if(begin, end, isCorner);
     std::rotate(begin, first == end ? begin : first, end);
     for (auto edge = begin; edge != end; ++edge)
@@ -85,24 +95,40 @@ void NameSides(QuadMesh& mesh)
 class SurfaceMesher
 {
 public:
-  SurfaceMesher(const Layout& layout, const SurfaceQuadOptions& options)
-    : Map(layout.map)
+  SurfaceMesher(const LayoutSet& layouts, const SurfaceQuadOptions& options)
+    : Map(layouts.Single().map)
     , Options(options)
-    , Separatrices(layout.tMesh)
-    , Loops(*layout.map.topology, layout.tMesh)
-    , Curves(*layout.map.topology)
-    , Surface(*layout.map.topology)
-    , Area(AreaOf(layout.tMesh))
+    , Separatrices(layouts.Single().tMesh)
+    , Pairs(layouts.pairs)
+    , Loops(*this->Map.topology, this->Separatrices)
+    , Curves(*this->Map.topology)
+    , Surface(*this->Map.topology)
+    , Area(AreaOf(this->Separatrices))
+    , Lengths(TargetLengths(this->Separatrices, {}))
+    , SideOfArc(SidesOfArcs(this->Pairs, this->Curves, this->Separatrices))
+    , Sums(SumsOfPairs(this->Pairs, this->SideOfArc))
   {
+    if (!this->Pairs.empty())
+    {
+      MatchFaces(this->Separatrices, this->Sums, this->Lengths);
+    }
   }
 
   QuadResult Make(const Progress& progress) const
   {
     QuadResult result;
     result.tMesh = this->Separatrices;
-    result.counts = this->Search([this](double size, SearchEffort effort)
-      { return this->CountsFor(size, effort); },
-      progress.Part(0.0, 0.4));
+    try
+    {
+      result.counts = this->Search([this](double size, SearchEffort effort)
+        { return this->CountsFor(size, effort); },
+        progress.Part(0.0, 0.4));
+    }
+    catch (const Error&)
+    {
+      this->RequireCounts();
+      throw;
+    }
     result.size = result.counts.size;
     this->Build(result, progress.Part(0.4, this->Options.coarse ? 0.7 : 1.0));
     result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
@@ -115,11 +141,30 @@ public:
           [this](QuadResult& candidate, const Progress& part) { this->Build(candidate, part); } },
         this->Area, result, progress.Part(0.7, 1.0));
     }
+    if (!this->Pairs.empty())
+    {
+      this->Weld(result);
+    }
     progress.Report(1.0);
     return result;
   }
 
 private:
+  /// Throws Error if the two sides of lines cannot have equal numbers of edges.
+  void RequireCounts() const
+  {
+    const QuantisationProblem problem = this->ProblemFor(std::sqrt(this->Area));
+    if (this->Sums.empty() || FindFeasibleCounts(this->Separatrices, problem))
+    {
+      return;
+    }
+    const std::vector<std::string> names = FindConflict(this->Separatrices, problem);
+    throw Error("No numbers of edges fit the faces on both sides of " +
+        std::to_string(names.size()) + " lines, one with t" + names.front().substr(1),
+      "give other singularities, or follow fewer edges (FeatureAngle, --feature-angle)",
+      Error::Kind::Inconsistent);
+  }
+
   EdgeCounts Search(const BlockSteps::CountsOf& countsOf, const Progress& progress) const
   {
     return SearchCounts(this->Separatrices, this->Options.quadSize, this->Options.quadCount,
@@ -128,7 +173,17 @@ private:
 
   QuantisationProblem ProblemFor(double size) const
   {
-    QuantisationProblem problem = MakeQuantisationProblem(this->Separatrices, size);
+    std::vector<double> target = this->Lengths;
+    for (double& length : target)
+    {
+      length /= size;
+    }
+    QuantisationProblem problem = MakeQuantisationProblem(this->Separatrices, std::move(target));
+    problem.sums = this->Sums;
+    if (!this->Sums.empty())
+    {
+      BalanceTargets(this->Separatrices, problem);
+    }
     for (std::size_t a = 0; a < this->Separatrices.arcs.size(); ++a)
     {
       // A closed line of two edges would join the same points twice.
@@ -182,8 +237,52 @@ private:
   QuadMesh QuadsOf(const QuadResult& result) const
   {
     const std::vector<int>& counts = result.counts.counts;
-    return BuildQuads(this->Map, this->Curves, result.tMesh, counts,
+    QuadMesh mesh = BuildQuads(this->Map, this->Curves, result.tMesh, counts,
       EqualSpacing(result.tMesh, counts), result.size);
+    if (this->Pairs.empty())
+    {
+      NameSides(mesh);
+      return mesh;
+    }
+    std::size_t edge = 0; // edges are those of arcs, one after the other
+    for (std::size_t a = 0; a < counts.size(); ++a)
+    {
+      for (int i = 0; result.tMesh.arcs[a].onBoundary && i < counts[a]; ++i)
+      {
+        mesh.boundary[edge++].side = this->SideOfArc[a];
+      }
+    }
+    mesh.sideNames.assign(2 * this->Pairs.size(), "features");
+    mesh.periodic = this->Pairs;
+    FindPairs(this->Curves, mesh);
+    MatchPairs(this->Curves, mesh);
+    OrderOnBoundary(mesh, this->Curves);
+    MatchPairs(this->Curves, mesh);
+    return mesh;
+  }
+
+  /// Makes one mesh of those of the faces.
+  void Weld(QuadResult& result) const
+  {
+    std::vector<int> faces;
+    UnionFind arcs = JoinArcs(result.tMesh);
+    for (const int patch : result.mesh.patch)
+    {
+      faces.push_back(arcs.Find(result.tMesh.patches[Index(patch)].sides[0].front() / 2));
+    }
+    WeldRegions(result.mesh);
+    NameSides(result.mesh);
+    result.blocks = FindBlocks(result.mesh, faces);
+    result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
+    const std::optional<SurfaceQuality> onSurface = result.quality.surface;
+    const double bound = result.quality.bound; // with the angles of faces at nodes
+    result.quality = MeasureQuads(result.mesh, result.size);
+    result.quality.surface = onSurface;
+    result.quality.bound = bound;
+    for (QuadBoundaryEdge& one : result.mesh.boundary)
+    {
+      one.kind = one.kind == BoundaryKind::Interface ? BoundaryKind::Feature : one.kind;
+    }
   }
 
   /// Builds, smooths and measures the quads of a result with counts.
@@ -194,7 +293,6 @@ private:
     RequireMemory(
       quads * BytesPerSurfaceQuad, "This number of quads", "use a larger size or fewer quads");
     result.mesh = this->QuadsOf(result);
-    NameSides(result.mesh);
     result.blocks = FindBlocks(result.mesh);
     result.layoutSeconds += stopwatch.Lap();
     if (this->Options.smooth)
@@ -214,17 +312,21 @@ private:
   const SeamlessMap& Map;
   const SurfaceQuadOptions& Options;
   const TMesh& Separatrices;
+  const std::vector<PairedSides>& Pairs;
   const SmoothLoops Loops;
   const MeshBoundary Curves;
   const SurfaceWalk Surface;
   const double Area;
+  std::vector<double> Lengths;      ///< Target counts for size 1.
+  const std::vector<int> SideOfArc; ///< −1 inside of faces and on the boundary of the whole.
+  const std::vector<CountSum> Sums; ///< Those of pairs.
 };
 }
 
 QuadResult MakeSurfaceQuads(
-  const Layout& layout, const SurfaceQuadOptions& options, const Progress& progress)
+  const LayoutSet& layouts, const SurfaceQuadOptions& options, const Progress& progress)
 {
   RequireSize(options.quadSize, options.quadCount);
-  return SurfaceMesher(layout, options).Make(progress);
+  return SurfaceMesher(layouts, options).Make(progress);
 }
 }

@@ -16,10 +16,11 @@ struct SurfaceQuadOptions
   bool coarse = false;
 };
 
-/// Makes quads of the layout of a surface (docs/method.md §14, §22.8):
-/// edge counts, smooth quads, blocks and quality. The sides of the boundary are called outer0, outer1, ... between
-/// corners of the longest loop, and hole0, ... of the others. Throws Error if the size or count is not positive, if more quads
-/// would be built than fit into memory, and as Quantise and BuildQuads do.
+/// Makes quads of the layout of a surface (docs/method.md §14, §22.8): edge counts, smooth quads, blocks and
+/// quality. The sides of the boundary are called outer0, outer1, ... between corners of the longest loop, and
+/// hole0, ... of the others. With pairs, the two sides of lines of sharp edges, the mesh is one across these
+/// lines, and no block crosses them (docs/method.md §22.12). Throws Error if the size or count is not positive,
+/// if more quads would be built than fit into memory, and as Quantise and BuildQuads do.
 QuadResult MakeSurfaceQuads(
-  const Layout& layout, const SurfaceQuadOptions& options, const Progress& progress = {});
+  const LayoutSet& layouts, const SurfaceQuadOptions& options, const Progress& progress = {});
 }

@@ -47,6 +47,13 @@ public:
     }
   }
 
+  /// Returns the names of sums that contradict each other, without any that could be left out.
+  std::vector<std::string> Find()
+  {
+    this->Reduce();
+    return this->Names;
+  }
+
   std::string Describe()
   {
     this->Reduce();
@@ -219,6 +226,11 @@ std::optional<std::vector<int>> FindFeasibleCounts(
     }
   }
   return std::nullopt;
+}
+
+std::vector<std::string> FindConflict(const TMesh& mesh, const QuantisationProblem& problem)
+{
+  return ConflictSearch(mesh, problem).Find();
 }
 
 std::string DescribeConflict(const TMesh& mesh, const QuantisationProblem& problem)

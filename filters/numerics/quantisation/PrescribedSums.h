@@ -13,6 +13,9 @@ namespace crossfield
 std::optional<std::vector<int>> FindFeasibleCounts(
   const TMesh& mesh, const QuantisationProblem& problem);
 
+/// Returns the names of sums that contradict each other, none of which can be left out of the contradiction.
+std::vector<std::string> FindConflict(const TMesh& mesh, const QuantisationProblem& problem);
+
 /// Returns a sentence about prescribed sums that contradict each other, none of which can be left
 /// out of the contradiction (an irreducible infeasible subset, by deletion; Chinneck 2008), with a
 /// remedy that was found to work. `problem` has no feasible counts.

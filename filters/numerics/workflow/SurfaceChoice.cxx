@@ -78,6 +78,13 @@ private:
   std::vector<std::vector<std::pair<int, double>>> Neighbours;
 };
 
+Error TooFewPoints(const MeshTopology& topology, int vertex)
+{
+  return { "The surface has too few points near " + topology.Where(vertex) +
+      " for its singularities",
+    "divide its triangles", Error::Kind::CoarseMesh };
+}
+
 /// Indices inside the surface, which change place.
 class IndexList
 {
@@ -89,15 +96,21 @@ public:
   {
   }
 
-  /// Adds an index to the inner vertex nearest to one.
+  /// Adds an index to the inner vertex nearest to one. Throws Error if there is none.
   void Add(int vertex, int quarters)
   {
+    bool isAdded = quarters == 0;
     this->Distances.VisitFrom(vertex,
       [&](int inside, double)
       {
         this->Quarters[inside] += quarters;
+        isAdded = true;
         return false;
       });
+    if (!isAdded)
+    {
+      throw TooFewPoints(this->Topology, vertex);
+    }
   }
 
   /// Leaves out pairs of one positive and one negative quarter that are nearer than a part of the size, the nearest pairs
@@ -143,8 +156,8 @@ public:
     }
   }
 
-  /// Divides indices of several quarters: each quarter but one goes to a vertex at a distance of a part of the size, as far as
-  /// possible from the others.
+  /// Divides indices of several quarters: each quarter but one goes to a vertex at a distance of a part of the
+  /// size, as far as possible from the others.
   void Divide(double part)
   {
     const std::map<int, int> before = this->Quarters;
@@ -210,8 +223,8 @@ private:
 };
 }
 
-std::vector<Cone> ChooseSurfaceCones(
-  const MeshTopology& topology, const std::vector<Cone>& corners, const Progress& progress)
+std::vector<Cone> ChooseSurfaceCones(const MeshTopology& topology, const std::vector<Cone>& corners,
+  bool withoutPairs, const Progress& progress)
 {
   // Nearer pairs are details that a mesh of a thousand quads would not resolve.
   constexpr double Nearest = 0.08;
@@ -234,35 +247,34 @@ std::vector<Cone> ChooseSurfaceCones(
   {
     indices.Add(vertex, -quarters);
   }
-  indices.Cancel(Nearest);
+  indices.Cancel(withoutPairs ? std::numeric_limits<double>::infinity() : Nearest);
   indices.Divide(Apart);
   std::vector<Cone> cones = indices.Cones();
   for (const Cone& cone : cones)
   {
     if (std::abs(cone.quarterIndex) > 1)
     {
-      throw Error("The surface has too few points near " + topology.Where(cone.vertex) +
-          " for its singularities",
-        "divide its triangles", Error::Kind::CoarseMesh);
+      throw TooFewPoints(topology, cone.vertex);
     }
   }
   return cones;
 }
 
 std::vector<SurfaceSingularity> ChooseSurfaceSingularities(
-  const SurfaceMesh& surface, const Progress& progress)
+  const SurfaceMesh& surface, double featureAngle, const Progress& progress)
 {
-  const ConedSurfaces found = PlaceCones(surface, {});
+  const ConedSurfaces found = PlaceCones(surface, {}, featureAngle);
   std::vector<SurfaceSingularity> chosen;
-  const auto parts = static_cast<double>(found.parts.size());
-  for (std::size_t p = 0; p < found.parts.size(); ++p)
+  const std::vector<const ConedSurface*> faces = found.Faces();
+  const auto count = static_cast<double>(faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    const ConedSurface& part = found.parts[p];
-    const auto done = static_cast<double>(p);
+    const ConedSurface& face = *faces[f];
+    const auto done = static_cast<double>(f);
     for (const Cone& cone : ChooseSurfaceCones(
-           *part.topology, part.cones, progress.Part(done / parts, (done + 1.0) / parts)))
+           *face.topology, face.cones, false, progress.Part(done / count, (done + 1.0) / count)))
     {
-      chosen.push_back({ part.topology->PositionOf(cone.vertex), cone.quarterIndex });
+      chosen.push_back({ face.topology->PositionOf(cone.vertex), cone.quarterIndex });
     }
   }
   return chosen;

@@ -1,28 +1,27 @@
 #include "SurfaceCones.h"
 
+#include "BoundaryCorners.h"
 #include "Error.h"
+#include "Index.h"
+#include "NodeIndices.h"
 #include "PoincareHopf.h"
 #include "SurfaceParts.h"
 #include "SurfaceTopology.h"
 #include "VertexPlacement.h"
 #include "VertexPotential.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// A part of a surface with vertices at its singularities.
-struct PlacedPart
-{
-  SurfaceMesh surface;
-  std::vector<Cone> cones;
-  std::vector<std::string> events;
-};
-
 double LongestSide(const SurfaceMesh& surface, int triangle)
 {
   const auto& v = surface.triangles[triangle];
@@ -34,37 +33,81 @@ double LongestSide(const SurfaceMesh& surface, int triangle)
   return longest;
 }
 
-/// Places singularities on vertices of the nearest parts.
-std::vector<PlacedPart> PlaceSingularities(
-  std::vector<SurfaceMesh> surfaces, const std::vector<SurfaceSingularity>& singularities)
+/// Returns vertices − edges + triangles of a connected surface.
+int EulerCharacteristicOf(const SurfaceMesh& surface)
 {
-  std::vector<PlacedPart> parts(surfaces.size());
-  std::vector<VertexPlacement> placements;
-  placements.reserve(parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p)
+  std::size_t sides = 0; // inner edges have two
+  for (const std::array<int, 3>& neighbours : FindNeighbours(surface))
   {
-    parts[p].surface = std::move(surfaces[p]);
-    placements.emplace_back(parts[p].surface);
-  }
-  for (std::size_t i = 0; i < singularities.size(); ++i)
-  {
-    const SurfaceSingularity& one = singularities[i];
-    const std::string what =
-      "Singularity " + std::to_string(i + 1) + " at " + DescribeInSpace(one.place);
-    std::size_t nearest = 0;
-    SurfacePoint point;
-    for (std::size_t p = 0; p < parts.size(); ++p)
+    for (const int neighbour : neighbours)
     {
-      const SurfacePoint here = FindNearest(parts[p].surface, one.place);
-      if (p == 0 || here.distance < point.distance)
+      sides += neighbour < 0 ? 2 : 1;
+    }
+  }
+  return static_cast<int>(surface.points.size()) - static_cast<int>(sides / 2) +
+    static_cast<int>(surface.triangles.size());
+}
+
+/// Returns the distance of a place from the lines of a cut surface.
+double DistanceFromLines(const CutSurface& cut, const SpacePoint& place)
+{
+  double distance = std::numeric_limits<double>::infinity();
+  for (const FeatureLine& line : cut.lines)
+  {
+    const std::vector<SpacePoint>& points = cut.faces[Index(line.faces[0])].points;
+    const std::vector<int>& along = line.points[0];
+    for (std::size_t i = line.isClosed ? 0 : 1; i < along.size(); ++i)
+    {
+      const int before = i == 0 ? along.back() : along[i - 1];
+      const SpacePoint nearest =
+        NearestOnSide(points[Index(before)], points[Index(along[i])], place);
+      distance = std::min(distance, (nearest - place).norm());
+    }
+  }
+  return distance;
+}
+
+std::string DescribeSingularity(const SurfaceSingularity& one, int row)
+{
+  return "Singularity " + std::to_string(row + 1) + " at " + DescribeInSpace(one.place);
+}
+
+/// Places singularities on vertices of faces.
+class SingularityPlacement
+{
+public:
+  explicit SingularityPlacement(CutSurface& cut)
+    : Cut(cut)
+    , Cones(cut.faces.size())
+    , Events(cut.faces.size())
+  {
+    for (SurfaceMesh& face : cut.faces)
+    {
+      this->Placements.emplace_back(face);
+      for (const SpacePoint& point : face.points)
       {
-        nearest = p;
+        this->Box.extend(point);
+      }
+    }
+  }
+
+  void Place(const SurfaceSingularity& one, int row)
+  {
+    const std::string what = DescribeSingularity(one, row);
+    std::size_t face = 0;
+    SurfacePoint point;
+    for (std::size_t f = 0; f < this->Cut.faces.size(); ++f)
+    {
+      const SurfacePoint here = FindNearest(this->Cut.faces[f], one.place);
+      if (f == 0 || here.distance < point.distance)
+      {
+        face = f;
         point = here;
       }
     }
-    PlacedPart& part = parts[nearest];
+    const SurfaceMesh& surface = this->Cut.faces[face];
     // The triangles of a curved surface are off it by less.
-    if (!(point.distance <= LongestSide(part.surface, point.triangle)))
+    if (!(point.distance <= LongestSide(surface, point.triangle)))
     {
       throw Error(what + " is " + FormatNumber(point.distance) +
         " off the surface; move it to the nearest point of it, " + DescribeInSpace(point.place) +
@@ -72,38 +115,111 @@ std::vector<PlacedPart> PlaceSingularities(
     }
     if (one.quarterIndex == 0)
     {
-      continue;
+      return;
     }
-    const auto placed = placements[nearest].Place(point);
+    if (DistanceFromLines(this->Cut, point.place) <= BoundaryReach * this->Box.diagonal().norm())
+    {
+      this->Events[face].push_back(
+        what + " is on a sharp edge, where the angles of faces determine it.");
+      return;
+    }
+    const auto placed = this->Placements[face].Place(point);
     if (!placed)
     {
-      throw Error(
-        what + " has no vertex of its own inside the surface; use smaller triangles there.");
+      throw Error(what + " has no vertex of its own inside the surface",
+        "use smaller triangles there", Error::Kind::CoarseMesh);
     }
     if (placed->distance > 0.0)
     {
-      part.events.push_back(what + " is at the vertex " +
-        DescribeInSpace(part.surface.points[placed->vertex]) +
+      this->Events[face].push_back(what + " is at the vertex " +
+        DescribeInSpace(surface.points[placed->vertex]) +
         ", since triangles would be too thin otherwise.");
     }
-    part.cones.push_back({ placed->vertex, one.quarterIndex, false, static_cast<int>(i) });
+    this->Cones[face].push_back({ placed->vertex, one.quarterIndex, false, row });
   }
-  return parts;
-}
 
-/// Adds the corners of the boundary, with the quarter indices nearest to their angles, at most 1: maps have no corner
-/// without an angle.
-void AddCorners(const MeshTopology& topology, std::vector<Cone>& cones)
+private:
+  CutSurface& Cut;
+  std::deque<VertexPlacement> Placements; ///< Of all faces.
+  Eigen::AlignedBox3d Box;
+
+public:
+  std::vector<std::vector<Cone>> Cones; ///< Per face.
+  std::vector<std::vector<std::string>> Events;
+};
+
+/// Adds the corners of the boundary but for nodes, with the quarter indices nearest to their angles, at most 1:
+/// maps have no corner without an angle.
+void AddCorners(const std::vector<bool>& isNode, ConedSurface& face)
 {
   constexpr int Maximum = 1;
+  const MeshTopology& topology = *face.topology;
   for (int i = 0; i < static_cast<int>(topology.mesh.boundary.size()); ++i)
   {
     const int vertex = topology.BoundaryAt(i).vertices[0];
     const auto nearest = static_cast<int>(std::lround(topology.turning[i] / (0.5 * Pi)));
     const int quarters = std::min(Maximum, nearest);
-    if (topology.corners[vertex] && quarters != 0)
+    if (topology.corners[vertex] && !isNode[Index(vertex)] && quarters != 0)
     {
-      cones.push_back({ vertex, quarters, true, -1 });
+      face.cones.push_back({ vertex, quarters, true, -1 });
+    }
+  }
+}
+
+int SumOf(const std::vector<Cone>& cones, bool onBoundary)
+{
+  int sum = 0;
+  for (const Cone& cone : cones)
+  {
+    sum += cone.onBoundary == onBoundary ? cone.quarterIndex : 0;
+  }
+  return sum;
+}
+
+/// Adds the corners of all faces: those at a common node together.
+void AddCorners(SurfaceBody& body)
+{
+  std::vector<std::vector<bool>> isNode;
+  std::vector<std::vector<double>> angles; // at the vertices of faces
+  for (const ConedSurface& face : body.faces)
+  {
+    isNode.emplace_back(face.topology->VertexCount(), false);
+    angles.emplace_back(face.topology->VertexCount(), Pi);
+    for (int i = 0; i < static_cast<int>(face.topology->mesh.boundary.size()); ++i)
+    {
+      angles.back()[Index(face.topology->BoundaryAt(i).vertices[0])] =
+        Pi - face.topology->turning[i];
+    }
+  }
+  std::vector<NodeCorners> nodes;
+  for (const FeatureNode& node : body.nodes)
+  {
+    NodeCorners& corners = nodes.emplace_back();
+    corners.isOnBoundary = node.isOnBoundary;
+    for (const FacePoint& corner : node.corners)
+    {
+      isNode[Index(corner.face)][Index(corner.point)] = true;
+      corners.corners.push_back(
+        { corner.face, angles[Index(corner.face)][Index(corner.point)], std::nullopt });
+    }
+  }
+  std::vector<int> required;
+  for (std::size_t f = 0; f < body.faces.size(); ++f)
+  {
+    ConedSurface& face = body.faces[f];
+    AddCorners(isNode[f], face);
+    required.push_back(face.RequiredQuarters() - face.GivenQuarters());
+  }
+  const std::vector<std::vector<int>> chosen = ChooseNodeIndices(nodes, required);
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    for (std::size_t c = 0; c < chosen[n].size(); ++c)
+    {
+      const FacePoint& corner = body.nodes[n].corners[c];
+      if (chosen[n][c] != 0)
+      {
+        body.faces[Index(corner.face)].cones.push_back({ corner.point, chosen[n][c], true, -1 });
+      }
     }
   }
 }
@@ -127,16 +243,6 @@ void AddNumbers(const ConedSurface& part, SurfaceCheck& check)
         { topology.PositionOf(vertex), Pi - topology.turning[i], quarters[vertex] });
     }
   }
-}
-
-int SumOf(const std::vector<Cone>& cones, bool onBoundary)
-{
-  int sum = 0;
-  for (const Cone& cone : cones)
-  {
-    sum += cone.onBoundary == onBoundary ? cone.quarterIndex : 0;
-  }
-  return sum;
 }
 }
 
@@ -162,42 +268,149 @@ std::string DescribeQuarters(const ConedSurface& part)
     " needs " + std::to_string(part.RequiredQuarters()) + "; give singularities with this sum.";
 }
 
-ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities)
+FeaturedParts FindFeaturedParts(
+  SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities, double featureAngle)
 {
   SurfaceParts found = FindSurfaceParts(std::move(surface));
-  ConedSurfaces result;
+  FeaturedParts result;
   result.events = std::move(found.events);
-  for (PlacedPart& part : PlaceSingularities(std::move(found.parts), singularities))
+  for (SurfaceMesh& part : found.parts)
   {
-    result.parts.push_back({ std::make_shared<const SurfaceTopology>(std::move(part.surface)),
-      std::move(part.cones), std::move(part.events) });
-    AddCorners(*result.parts.back().topology, result.parts.back().cones);
+    FeaturedPart& one = result.parts.emplace_back();
+    one.features = FindFeatureEdges(part, featureAngle);
+    one.surface = std::move(part);
+    result.events.insert(
+      result.events.end(), one.features.events.begin(), one.features.events.end());
+  }
+  for (std::size_t i = 0; i < singularities.size(); ++i)
+  {
+    const auto distanceFrom = [&](const FeaturedPart& part)
+    { return FindNearest(part.surface, singularities[i].place).distance; };
+    FeaturedPart* nearest = &result.parts.front();
+    double distance = result.parts.size() == 1 ? 0.0 : distanceFrom(*nearest);
+    for (std::size_t p = 1; p < result.parts.size(); ++p)
+    {
+      const double here = distanceFrom(result.parts[p]);
+      if (here < distance)
+      {
+        nearest = &result.parts[p];
+        distance = here;
+      }
+    }
+    nearest->singularities.push_back(singularities[i]);
+    nearest->rows.push_back(static_cast<int>(i));
   }
   return result;
+}
+
+SurfaceBody PlaceCones(const FeaturedPart& part)
+{
+  SurfaceBody body;
+  body.eulerCharacteristic = EulerCharacteristicOf(part.surface);
+  CutSurface cut;
+  if (part.features.count == 0)
+  {
+    cut.faces.push_back(part.surface);
+    cut.faceOf.assign(part.surface.triangles.size(), 0);
+  }
+  else
+  {
+    cut = CutAlongFeatures(part.surface, part.features);
+  }
+  SingularityPlacement placement(cut);
+  for (std::size_t i = 0; i < part.singularities.size(); ++i)
+  {
+    placement.Place(part.singularities[i], part.rows[i]);
+  }
+  for (std::size_t f = 0; f < cut.faces.size(); ++f)
+  {
+    body.faces.push_back({ std::make_shared<const SurfaceTopology>(std::move(cut.faces[f])),
+      std::move(placement.Cones[f]), std::move(placement.Events[f]) });
+    body.area += body.faces.back().topology->Area();
+  }
+  body.faceOf = std::move(cut.faceOf);
+  body.lines = std::move(cut.lines);
+  body.nodes = std::move(cut.nodes);
+  AddCorners(body);
+  return body;
+}
+
+ConedSurfaces PlaceCones(
+  SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities, double featureAngle)
+{
+  FeaturedParts found = FindFeaturedParts(std::move(surface), singularities, featureAngle);
+  ConedSurfaces result;
+  result.events = std::move(found.events);
+  for (const FeaturedPart& part : found.parts)
+  {
+    result.bodies.push_back(PlaceCones(part));
+  }
+  return result;
+}
+
+std::string DescribeFace(const ConedSurface& face)
+{
+  const MeshTopology& topology = *face.topology;
+  const auto centreOf = [&topology](int triangle)
+  {
+    SpacePoint centre = SpacePoint::Zero();
+    for (const int vertex : topology.mesh.triangles[triangle])
+    {
+      centre += topology.PositionOf(vertex) / 3.0;
+    }
+    return centre;
+  };
+  SpacePoint middle = SpacePoint::Zero();
+  for (int t = 0; t < topology.TriangleCount(); ++t)
+  {
+    middle += topology.AreaOf(t) * centreOf(t);
+  }
+  middle /= topology.Area();
+  SpacePoint nearest = centreOf(0);
+  for (int t = 1; t < topology.TriangleCount(); ++t)
+  {
+    const SpacePoint centre = centreOf(t);
+    nearest = (centre - middle).norm() < (nearest - middle).norm() ? centre : nearest;
+  }
+  return "Face at " + DescribeInSpace(nearest);
+}
+
+std::vector<const ConedSurface*> ConedSurfaces::Faces() const
+{
+  std::vector<const ConedSurface*> faces;
+  for (const SurfaceBody& body : this->bodies)
+  {
+    for (const ConedSurface& face : body.faces)
+    {
+      faces.push_back(&face);
+    }
+  }
+  return faces;
 }
 
 SurfaceCheck CheckSurface(const ConedSurfaces& surfaces)
 {
   SurfaceCheck check;
-  for (const ConedSurface& part : surfaces.parts)
+  const std::vector<const ConedSurface*> faces = surfaces.Faces();
+  for (const ConedSurface* face : faces)
   {
-    AddNumbers(part, check);
+    AddNumbers(*face, check);
   }
-  for (std::size_t p = 0; p < surfaces.parts.size(); ++p)
+  for (std::size_t f = 0; f < faces.size(); ++f)
   {
-    if (surfaces.parts[p].GivenQuarters() != surfaces.parts[p].RequiredQuarters())
+    if (faces[f]->GivenQuarters() != faces[f]->RequiredQuarters())
     {
-      check.reason = surfaces.parts.size() == 1 ? "" : "Part " + std::to_string(p + 1) + ": ";
-      check.reason += DescribeQuarters(surfaces.parts[p]);
+      check.reason = faces.size() == 1 ? "" : DescribeFace(*faces[f]) + ": ";
+      check.reason += DescribeQuarters(*faces[f]);
       return check;
     }
   }
   check.consistent = true;
   double largest = 0.0;
-  for (const ConedSurface& part : surfaces.parts)
+  for (const ConedSurface* face : faces)
   {
-    for (const double defect : VertexPotential(part.topology)
-                                 .Solve(QuartersOfVertices(*part.topology, part.cones))
+    for (const double defect : VertexPotential(face->topology)
+                                 .Solve(QuartersOfVertices(*face->topology, face->cones))
                                  .holonomyDefect)
     {
       check.holonomyDefect.push_back(defect);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FeatureCut.h"
 #include "SeamlessMap.h"
 #include "SurfaceMesh.h"
 
@@ -19,12 +20,14 @@ struct SurfaceSingularity
   int quarterIndex = 1;
 };
 
-/// A connected part of a surface with its singularities and the corners of its boundary at vertices.
+/// A connected surface, whole or a face between sharp edges, with its singularities and the corners of its boundary at
+/// vertices.
 struct ConedSurface
 {
   std::shared_ptr<const SurfaceTopology> topology;
   std::vector<Cone> cones;
-  std::vector<std::string> events; ///< One sentence for each singularity that is not at its place.
+  std::vector<std::string>
+    events = {}; ///< One sentence for each singularity that is not at its place.
 
   /// Returns the sum that the quarter indices of singularities must have: 4χ minus those of corners.
   int RequiredQuarters() const;
@@ -32,17 +35,60 @@ struct ConedSurface
   int GivenQuarters() const;
 };
 
-/// The parts of a surface, the largest area first, and what was repaired.
-struct ConedSurfaces
+/// A connected part of a surface with its sharp edges and the singularities that are nearest to it.
+struct FeaturedPart
 {
-  std::vector<ConedSurface> parts;
-  std::vector<std::string> events; ///< As in SurfaceParts.
+  SurfaceMesh surface;
+  FeatureEdges features;
+  std::vector<SurfaceSingularity> singularities;
+  std::vector<int> rows; ///< Of the singularities in those of the whole.
 };
 
-/// Finds the parts of a surface and places each singularity on a vertex of the nearest one; corners of the boundary have the
-/// quarter index nearest to their angle, at most 1 (docs/method.md §22.6). Throws Error as FindSurfaceParts does, and if a
-/// singularity is farther from the surface than its triangle there is long or has no vertex of its own.
-ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities);
+/// The connected parts of a surface, the largest area first, and what was repaired.
+struct FeaturedParts
+{
+  std::vector<FeaturedPart> parts;
+  std::vector<std::string> events; ///< As in SurfaceParts and FeatureEdges.
+};
+
+/// Finds the parts of a surface and edges that are sharper than an angle, in radians. Throws Error as
+/// FindSurfaceParts does.
+FeaturedParts FindFeaturedParts(
+  SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities, double featureAngle);
+
+/// A part of a surface, cut along its sharp edges.
+struct SurfaceBody
+{
+  std::vector<ConedSurface> faces; ///< The largest area first; one if there are no sharp edges.
+  std::vector<int> faceOf;         ///< Per triangle of the part.
+  std::vector<FeatureLine> lines;  ///< Points are vertices of the topologies of faces.
+  std::vector<FeatureNode> nodes;
+  int eulerCharacteristic = 0; ///< Before it was cut.
+  double area = 0.0;
+};
+
+/// Cuts a part along its sharp edges, and places each singularity on a vertex of the nearest face; corners of a
+/// boundary have the quarter index nearest to their angle, at most 1, and those of faces at a common node are
+/// chosen together (docs/method.md §22.6, §22.12). Singularities on sharp edges are left out: what is there
+/// follows from the angles. Throws Error if a singularity is farther from the surface than its triangle there is
+/// long or has no vertex of its own.
+SurfaceBody PlaceCones(const FeaturedPart& part);
+
+/// The parts of a surface, and what was repaired.
+struct ConedSurfaces
+{
+  std::vector<SurfaceBody> bodies;
+  std::vector<std::string> events; ///< As in FeaturedParts.
+
+  std::vector<const ConedSurface*> Faces() const;
+};
+
+/// Returns what a face is called in messages: by a place on it.
+std::string DescribeFace(const ConedSurface& face);
+
+/// Places the cones of all parts. Throws Error as FindFeaturedParts and PlaceCones do.
+ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities,
+  double featureAngle = DefaultFeatureAngle);
 
 /// Returns one sentence about the sums of quarter indices.
 std::string DescribeQuarters(const ConedSurface& part);
@@ -55,7 +101,7 @@ struct SurfaceCorner
   int quarterIndex = 0;
 };
 
-/// Whether a field with given singularities exists on a surface, and why. Numbers are sums over the parts.
+/// Whether a field with given singularities exists on a surface, and why. Numbers are sums over the faces.
 struct SurfaceCheck
 {
   bool consistent = false;
@@ -66,11 +112,11 @@ struct SurfaceCheck
   double totalCurvature = 0.0; ///< Σ K / 2π.
   double tangentTurning = 0.0; ///< Σ τ / 2π; with the curvature it adds up to χ.
   std::vector<SurfaceCorner> corners;
-  /// Of each part, one after the other; empty unless consistent.
+  /// Of each face, one after the other; empty unless consistent.
   std::vector<double> holonomyDefect;
 };
 
-/// Compares the quarter indices of singularities with those that each part needs, and finds by how much crosses do not
+/// Compares the quarter indices of singularities with those that each face needs, and finds by how much crosses do not
 /// close up around handles and loops. Throws Error as VertexPotential does.
 SurfaceCheck CheckSurface(const ConedSurfaces& surfaces);
 }

@@ -1,144 +1,364 @@
 #include "SurfaceQuadWorkflow.h"
 
 #include "Error.h"
+#include "FaceJoin.h"
 #include "JoinedParts.h"
+#include "OptimizerReport.h"
 #include "QuadAdvice.h"
 #include "Stopwatch.h"
 #include "SurfaceChoice.h"
-#include "SurfaceDivision.h"
 #include "SurfaceMap.h"
+#include "SurfaceParts.h"
 #include "SurfaceQuads.h"
+#include "SurfaceRefinement.h"
 #include "SurfaceTopology.h"
 #include "TMeshPatches.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Makes quads of a part. `chooses` is set if its cones are only those of corners.
-PartOfQuads MakeQuadsOfPart(
-  ConedSurface& part, bool chooses, const SurfaceQuadOptions& options, const Progress& progress)
+/// Chooses the singularities of a face, unless they are given, and lays it out.
+Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSeconds& seconds,
+  const Progress& progress)
 {
-  PartOfQuads made;
-  QuadWorkflowResult& result = made.quads;
   Stopwatch clock;
   if (chooses)
   {
     std::vector<Cone> cones =
-      ChooseSurfaceCones(*part.topology, part.cones, progress.Part(0.0, 0.4));
-    part.cones.insert(part.cones.begin(), cones.begin(), cones.end());
-    result.seconds.choose = clock.Lap();
+      ChooseSurfaceCones(*face.topology, face.cones, withoutPairs, progress.Part(0.0, 0.6));
+    face.cones.insert(face.cones.begin(), cones.begin(), cones.end());
+    seconds.choose += clock.Lap();
   }
-  if (part.GivenQuarters() != part.RequiredQuarters())
+  if (face.GivenQuarters() != face.RequiredQuarters())
   {
-    throw Error(DescribeQuarters(part), Error::Kind::Inconsistent);
+    throw Error(DescribeQuarters(face), Error::Kind::Inconsistent);
   }
   Layout layout;
-  layout.map = SolveSurfaceMap(part.topology, part.cones, progress.Part(0.4, 0.6));
-  result.seconds.map = clock.Lap();
-  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.6, 0.7));
+  layout.map = SolveSurfaceMap(face.topology, face.cones, progress.Part(0.6, 0.9));
+  seconds.map += clock.Lap();
+  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.9, 1.0));
   layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
-  result.seconds.trace = clock.Lap();
-  result.quads = MakeSurfaceQuads(layout, options, progress.Part(0.7, 1.0));
-  result.seconds.integers = result.quads.counts.seconds;
-  result.seconds.layout = result.quads.layoutSeconds;
-  result.seconds.smooth = result.quads.smoothSeconds;
-  result.holonomyDefect = layout.map.holonomyDefect;
-  result.blocks.none = result.quads.separateBlocks;
-  if (options.coarse)
+  seconds.trace += clock.Lap();
+  return layout;
+}
+
+/// Makes the quads of one part.
+class BodyMesher
+{
+public:
+  BodyMesher(FeaturedPart& part, bool chooses, bool joinsAll, const SurfaceQuadOptions& options)
+    : Part(part)
+    , Chooses(chooses)
+    , JoinsAll(joinsAll)
+    , Options(options)
   {
-    result.blocks.coarse = static_cast<int>(result.quads.blocks.blocks.size());
   }
-  result.events = part.events;
-  if (result.quads.quality.inverted > 0)
+
+  PartOfQuads Run(const Progress& progress)
   {
-    result.warnings.push_back(CountInverted(result.quads.quality) + "; use smaller quads.");
+    const LayoutSet layouts = this->LayOut(progress);
+    try
+    {
+      return this->MakeQuads(layouts, progress.Part(0.7, 1.0));
+    }
+    catch (const Error&)
+    {
+      // A face with pairs may need other numbers of edges on its two loops than the faces beside it have.
+      this->WithoutPairs = true;
+      const std::optional<PartOfQuads> made = this->TryAgain(layouts.pairs.empty());
+      if (!made)
+      {
+        throw;
+      }
+      return *made;
+    }
   }
-  const SurfaceQuality& onSurface = *result.quads.quality.surface;
-  if (onSurface.bent > 0)
+
+private:
+  /// Returns quads without pairs of opposite singularities, nothing if there are none.
+  std::optional<PartOfQuads> TryAgain(bool isOneFace)
   {
-    result.warnings.push_back("The surface turns by more than 60 degrees within " +
-      std::to_string(onSurface.bent) + (onSurface.bent == 1 ? " quad" : " quads") + ", most near " +
-      DescribePlace(onSurface.mostBent) +
-      "; use smaller quads where it is curved. Sharp edges are not followed yet.");
+    if (isOneFace || !this->Chooses)
+    {
+      return std::nullopt;
+    }
+    try
+    {
+      const LayoutSet layouts = this->LayOut({});
+      return this->MakeQuads(layouts, {});
+    }
+    catch (const Error&)
+    {
+      return std::nullopt;
+    }
   }
-  made.loops = part.topology->loops.size();
-  return made;
+
+  /// Lays out all faces. Faces that cannot be are joined to others, and the rest is tried again.
+  LayoutSet LayOut(const Progress& progress)
+  {
+    double done = 0.0;
+    while (true)
+    {
+      this->Body = PlaceCones(this->Part);
+      const double end = done + 0.5 * (0.7 - done);
+      std::vector<Layout> layouts = this->LayOutFaces(progress.Part(done, end));
+      done = end;
+      if (layouts.size() == this->Body.faces.size())
+      {
+        return this->Body.lines.empty() ? LayoutSet(std::move(layouts.front()))
+                                        : JoinFaces(this->Body, layouts);
+      }
+      this->Joined += static_cast<int>(this->Body.faces.size() - layouts.size());
+      MergeFaces(this->Part.surface, this->Body.faceOf, this->Fails, this->Part.features);
+    }
+  }
+
+  /// Returns the layouts of those faces that can be laid out, and notes which cannot. Throws Error if these must
+  /// not be joined to others.
+  std::vector<Layout> LayOutFaces(const Progress& progress)
+  {
+    std::vector<Layout> layouts;
+    double done = 0.0;
+    this->Fails.assign(this->Body.faces.size(), false);
+    for (std::size_t f = 0; f < this->Body.faces.size(); ++f)
+    {
+      ConedSurface& face = this->Body.faces[f];
+      const double area = face.topology->Area();
+      const double end = std::min(1.0, done + area / this->Body.area);
+      try
+      {
+        layouts.push_back(LayOutFace(
+          face, this->Chooses, this->WithoutPairs, this->Seconds, progress.Part(done, end)));
+      }
+      catch (const Error& error)
+      {
+        if (this->Body.lines.empty())
+        {
+          throw;
+        }
+        if (!this->Chooses || !this->CanJoin(area))
+        {
+          const std::string start = DescribeFace(face) + ": ";
+          throw error.GetCause().empty()
+            ? Error(start + error.what(), error.GetKind())
+            : Error(start + error.GetCause(), error.GetRemedy(), error.GetKind());
+        }
+        this->Fails[f] = true;
+      }
+      done = end;
+    }
+    return layouts;
+  }
+
+  /// Returns whether a face of an area that cannot be laid out may be joined to another: if it is too small for a
+  /// few quads, or with smaller triangles cannot be either.
+  bool CanJoin(double area) const
+  {
+    constexpr double Few = 4.0;
+    const double size = this->Options.quadSize;
+    const double ofQuad = size > 0.0 ? size * size : this->Body.area / this->Options.quadCount;
+    return this->Body.faces.size() > 1 && (this->JoinsAll || area < Few * ofQuad);
+  }
+
+  PartOfQuads MakeQuads(const LayoutSet& layouts, const Progress& progress) const
+  {
+    PartOfQuads made;
+    QuadWorkflowResult& result = made.quads;
+    result.quads = MakeSurfaceQuads(layouts, this->Options, progress);
+    if (result.quads.mesh.EulerCharacteristic() != this->Body.eulerCharacteristic)
+    {
+      throw Error("The quads do not cover the surface; use a smaller size.");
+    }
+    result.seconds = this->Seconds;
+    result.seconds.integers = result.quads.counts.seconds;
+    result.seconds.layout = result.quads.layoutSeconds;
+    result.seconds.smooth = result.quads.smoothSeconds;
+    result.holonomyDefect = layouts.Single().map.holonomyDefect;
+    result.blocks.none = result.quads.separateBlocks;
+    if (this->Options.coarse)
+    {
+      result.blocks.coarse = static_cast<int>(result.quads.blocks.blocks.size());
+    }
+    this->Describe(result);
+    std::set<int> loops;
+    for (const QuadBoundaryEdge& edge : result.quads.mesh.boundary)
+    {
+      if (edge.kind != BoundaryKind::Feature)
+      {
+        loops.insert(edge.id);
+      }
+    }
+    made.loops = loops.size();
+    return made;
+  }
+
+  /// Adds events and warnings.
+  void Describe(QuadWorkflowResult& result) const
+  {
+    const auto counted = [](std::size_t count, const std::string& what)
+    { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); };
+    if (!this->Body.lines.empty())
+    {
+      result.events.push_back(
+        "Quads follow the sharp edges of the surface: " + counted(this->Body.lines.size(), "line") +
+        " between " + counted(this->Body.faces.size(), "face") + ".");
+    }
+    if (this->WithoutPairs)
+    {
+      result.events.emplace_back(
+        "Opposite singularities of a face were left out in pairs: with them, no numbers of edges "
+        "fit all faces.");
+    }
+    if (this->Joined > 0)
+    {
+      result.events.push_back(counted(static_cast<std::size_t>(this->Joined), "face") +
+        " between sharp edges could not be meshed and " + (this->Joined == 1 ? "was" : "were") +
+        " joined to others.");
+    }
+    for (const ConedSurface& face : this->Body.faces)
+    {
+      result.events.insert(result.events.end(), face.events.begin(), face.events.end());
+    }
+    if (result.quads.quality.inverted > 0)
+    {
+      result.warnings.push_back(CountInverted(result.quads.quality) + "; use smaller quads.");
+    }
+    const SurfaceQuality& onSurface = *result.quads.quality.surface;
+    if (onSurface.bent > 0)
+    {
+      result.warnings.push_back("The surface turns by more than 60 degrees within " +
+        counted(static_cast<std::size_t>(onSurface.bent), "quad") + ", most near " +
+        DescribePlace(onSurface.mostBent) + "; use smaller quads where it is curved.");
+    }
+  }
+
+  FeaturedPart& Part;
+  const bool Chooses;  ///< Whether singularities are chosen.
+  const bool JoinsAll; ///< Whether faces of any size may be joined.
+  const SurfaceQuadOptions Options;
+  SurfaceBody Body;
+  std::vector<bool> Fails;   ///< Per face.
+  int Joined = 0;            ///< Number of faces joined to others.
+  bool WithoutPairs = false; ///< Whether opposite singularities of a face are left out in pairs.
+  QuadSeconds Seconds;
+};
+
+double AreaOf(const SurfaceMesh& surface)
+{
+  double area = 0.0;
+  for (const std::array<int, 3>& v : surface.triangles)
+  {
+    const SpacePoint& a = surface.points[v[0]];
+    area += 0.5 * (surface.points[v[1]] - a).cross(surface.points[v[2]] - a).norm();
+  }
+  return area;
 }
 
 /// Makes quads with the triangles of a surface as they are.
-QuadWorkflowResult MakeQuadsOfTriangles(
-  const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
+QuadWorkflowResult MakeQuadsOfTriangles(const SurfaceMesh& surface, const SurfaceRequest& request,
+  bool joinsAll, const Progress& progress)
 {
   Stopwatch clock;
-  ConedSurfaces found =
-    PlaceCones(surface, request.singularities.value_or(std::vector<SurfaceSingularity>()));
-  const double placeSeconds = clock.Lap();
-  double area = 0.0;
-  for (const ConedSurface& part : found.parts)
+  FeaturedParts found = FindFeaturedParts(surface,
+    request.singularities.value_or(std::vector<SurfaceSingularity>()), request.featureAngle);
+  const double partSeconds = clock.Lap();
+  std::vector<double> areas;
+  for (const FeaturedPart& part : found.parts)
   {
-    area += part.topology->Area();
+    areas.push_back(AreaOf(part.surface));
   }
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   double done = 0.0;
   QuadWorkflowResult result = JoinQuads(found.parts.size(),
     [&](std::size_t p)
     {
-      const double share = found.parts[p].topology->Area() / area;
+      const double share = areas[p] / area;
       const auto count = static_cast<int>(std::max(1.0, std::round(share * request.quadCount)));
       const double begin = done;
       done = std::min(1.0, done + share);
-      return MakeQuadsOfPart(found.parts[p], !request.singularities,
-        { request.quadSize, count, request.hold, true, request.coarse },
-        progress.Part(begin, done));
+      return BodyMesher(found.parts[p], !request.singularities, joinsAll,
+        { request.quadSize, count, request.hold, true, request.coarse })
+        .Run(progress.Part(begin, done));
     });
-  result.seconds.mesh = placeSeconds;
+  result.seconds.mesh = partSeconds;
   result.events.insert(result.events.begin(), found.events.begin(), found.events.end());
   return result;
+}
+
+/// Returns the surface with its repaired parts divided until no side is longer than a length.
+SurfaceMesh RefinedParts(const SurfaceMesh& surface, double length)
+{
+  SurfaceMesh all;
+  for (SurfaceMesh& part : FindSurfaceParts(surface).parts)
+  {
+    const SurfaceMesh refined = Refined(std::move(part), length);
+    const auto first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), refined.points.begin(), refined.points.end());
+    for (const std::array<int, 3>& v : refined.triangles)
+    {
+      all.triangles.push_back({ first + v[0], first + v[1], first + v[2] });
+    }
+  }
+  return all;
 }
 }
 
 QuadWorkflowResult MakeQuadsOfSurface(
   const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
 {
-  constexpr int MaximumDivisions = 2;
-  constexpr std::size_t MaximumTriangles = 200000; // a map of these takes ten seconds
+  constexpr int MaximumRefinements = 2;
+  constexpr double MaximumTriangles = 200000; // a map of these takes ten seconds
   RequireSize(request.quadSize, request.quadCount);
-  SurfaceMesh divided;
+  const double area = AreaOf(surface);
+  SurfaceMesh refined;
   const SurfaceMesh* triangles = &surface;
-  for (int divisions = 0;; ++divisions)
+  double longest = request.quadSize > 0.0 ? request.quadSize : std::sqrt(area / request.quadCount);
+  for (int refinements = 0;; ++refinements)
   {
-    const double done = divisions == 0 ? 0.0 : 0.6 + 0.2 * (divisions - 1);
+    const double done = refinements == 0 ? 0.0 : 0.6 + 0.2 * (refinements - 1);
     try
     {
-      QuadWorkflowResult result = MakeQuadsOfTriangles(
-        *triangles, request, progress.Part(done, divisions == 0 ? 0.6 : done + 0.2));
-      if (divisions > 0)
+      QuadWorkflowResult result =
+        MakeQuadsOfTriangles(*triangles, request, refinements == MaximumRefinements,
+          progress.Part(done, refinements == 0 ? 0.6 : done + 0.2));
+      if (refinements > 0)
       {
-        result.events.push_back("The triangles of the surface were divided into " +
-          std::to_string(divisions == 1 ? 4 : 16) + " each: with larger ones there is no map.");
+        result.events.push_back(
+          "The triangles of the surface were divided, on the same surface, until their sides were "
+          "at most " +
+          FormatShort(2.0 * longest) + " long: with larger ones there is no map.");
       }
       progress.Report(1.0);
       return result;
     }
     catch (const Error& error)
     {
-      if (error.GetKind() != Error::Kind::CoarseMesh || error.GetCause().empty() ||
-        4 * triangles->triangles.size() > MaximumTriangles)
+      // Equilateral triangles with sides of this length; others are up to three times as many.
+      const bool fits = area / (0.43 * longest * longest) < MaximumTriangles;
+      if (error.GetKind() != Error::Kind::CoarseMesh || error.GetCause().empty() || !fits)
       {
         throw;
       }
-      if (divisions == MaximumDivisions)
+      if (refinements == MaximumRefinements)
       {
-        throw Error(error.GetCause() + ", even with its triangles divided into 16",
+        throw Error(error.GetCause() + ", even with the sides of triangles at most " +
+            FormatShort(2.0 * longest) + " long",
           "give other singularities, or a surface with more even triangles", error.GetKind());
       }
     }
-    divided = Divided(*triangles);
-    triangles = &divided;
+    refined = RefinedParts(surface, longest);
+    triangles = &refined;
+    longest *= 0.5;
   }
 }
 }

@@ -16,15 +16,18 @@ struct SurfaceRequest
   int quadCount = DefaultQuads;
   bool hold = false;   ///< SurfaceQuadOptions::hold.
   bool coarse = false; ///< SurfaceQuadOptions::coarse.
+  /// Edges whose triangles' normals differ by more, in radians, are lines of quads.
+  double featureAngle = DefaultFeatureAngle;
 };
 
-/// Makes quads of a surface in space with the given singularities, each in the nearest part, or with chosen ones (docs/method.md §22.6, §22.11). Parts share the number of quads by their areas. Of the result, what
+/// Makes quads of a surface in space with the given singularities, each in the nearest face, or with chosen ones
+/// (docs/method.md §22.6, §22.11, §22.12). Parts share the number of quads by their areas. Of the result, what
 /// concerns positions in a plane is empty; singularities are the irregular nodes.
 ///
 /// If that needs smaller triangles, those of the surface are divided into four, twice at most and to 200,000 at most.
 ///
-/// Throws Error as PlaceCones, ChooseSurfaceCones, SolveSurfaceMap and MakeSurfaceQuads do, and if the quarter indices of a part do not
-/// add up to 4χ.
+/// Throws Error as PlaceCones, ChooseSurfaceCones, SolveSurfaceMap and MakeSurfaceQuads do, and if the quarter
+/// indices of a part do not add up to 4χ.
 QuadWorkflowResult MakeQuadsOfSurface(
   const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress = {});
 }

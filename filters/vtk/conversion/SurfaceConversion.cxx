@@ -122,20 +122,21 @@ std::vector<crossfield::SurfaceSingularity> ReadSingularities(vtkDataSet* input)
 }
 
 //------------------------------------------------------------------------------
-crossfield::ConedSurfaces Read(vtkDataSet* input, vtkDataSet* singularities)
+crossfield::ConedSurfaces Read(vtkDataSet* input, vtkDataSet* singularities, double featureAngle)
 {
-  return crossfield::PlaceCones(ReadTriangles(input), ReadSingularities(singularities));
+  return crossfield::PlaceCones(
+    ReadTriangles(input), ReadSingularities(singularities), featureAngle);
 }
 
 //------------------------------------------------------------------------------
 const crossfield::ConedSurface& Single(const crossfield::ConedSurfaces& surfaces)
 {
-  if (surfaces.parts.size() != 1)
+  if (surfaces.bodies.size() != 1)
   {
-    throw crossfield::Error("The surface has " + std::to_string(surfaces.parts.size()) +
+    throw crossfield::Error("The surface has " + std::to_string(surfaces.bodies.size()) +
       " parts that are not connected; give one of them, for example from the filter Connectivity.");
   }
-  const crossfield::ConedSurface& part = surfaces.parts.front();
+  const crossfield::ConedSurface& part = surfaces.bodies.front().faces.front();
   if (part.GivenQuarters() != part.RequiredQuarters())
   {
     throw crossfield::Error(

@@ -5,6 +5,8 @@
 #include "SurfaceIndices.h"
 #include "SurfaceQuadWorkflow.h"
 
+#include "vtkMath.h"
+
 #include <memory>
 #include <vector>
 
@@ -24,10 +26,11 @@ bool IsSurface(vtkDataSet* input);
  */
 crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input);
 
-/** Reads the parts of a surface with singularities at vertices. */
-crossfield::ConedSurfaces Read(vtkDataSet* input, vtkDataSet* singularities);
+/** Reads the parts of a surface, cut along edges sharper than an angle in radians, with singularities at vertices. */
+crossfield::ConedSurfaces Read(
+  vtkDataSet* input, vtkDataSet* singularities, double featureAngle = vtkMath::Pi());
 
-/** Returns the only part of a surface whose quarter indices add up. */
+/** Returns the only part of a surface without sharp edges whose quarter indices add up. */
 const crossfield::ConedSurface& Single(const crossfield::ConedSurfaces& surfaces);
 
 /**

@@ -21,6 +21,18 @@ std::vector<SurfaceSingularity> CornersOfCube(double radius, const SpacePoint& c
   return singularities;
 }
 
+SurfaceMesh CubeOfTwelve()
+{
+  SurfaceMesh cube;
+  for (int i = 0; i < 8; ++i)
+  {
+    cube.points.emplace_back(i % 2, i / 2 % 2, i / 4);
+  }
+  cube.triangles = { { 0, 3, 1 }, { 0, 2, 3 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+    { 2, 7, 3 }, { 2, 6, 7 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  return cube;
+}
+
 TEST(SurfaceQuadWorkflow, PlacesSingularitiesBetweenVertices)
 {
   SurfaceRequest request;
@@ -105,20 +117,161 @@ TEST(SurfaceQuadWorkflow, MakesGoodQuadsOfSmoothSurfacesAtRandom)
 TEST(SurfaceQuadWorkflow, DividesCoarseTriangles)
 {
   // A cube of twelve triangles: its corners are all neighbours.
-  SurfaceMesh cube;
-  for (int i = 0; i < 8; ++i)
-  {
-    cube.points.emplace_back(i % 2, i / 2 % 2, i / 4);
-  }
-  cube.triangles = { { 0, 3, 1 }, { 0, 2, 3 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
-    { 2, 7, 3 }, { 2, 6, 7 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  const SurfaceMesh cube = CubeOfTwelve();
   SurfaceRequest request;
   request.quadCount = 600;
   const QuadWorkflowResult result = MakeQuadsOfSurface(cube, request);
   EXPECT_EQ(result.quads.mesh.quads.size(), 600u);
   EXPECT_EQ(result.quads.blocks.blocks.size(), 6u);
-  ASSERT_EQ(result.events.size(), 1u);
-  EXPECT_NE(result.events[0].find("divided into 4 each"), std::string::npos);
+  ASSERT_EQ(result.events.size(), 2u);
+  EXPECT_EQ(
+    result.events[0], "Quads follow the sharp edges of the surface: 12 lines between 6 faces.");
+  EXPECT_NE(result.events[1].find("until their sides were at most 0.1 long"), std::string::npos);
+}
+
+/// Returns the length of the edges of quads on sharp edges, and counts those of which one end is off the lines.
+template <typename IsOn>
+double LengthOfFeatures(const QuadMesh& mesh, const IsOn& isOn, int& off)
+{
+  double length = 0.0;
+  for (const QuadBoundaryEdge& edge : mesh.boundary)
+  {
+    if (edge.kind != BoundaryKind::Feature)
+    {
+      continue;
+    }
+    const SpacePoint& from = mesh.points[static_cast<std::size_t>(edge.points[0])].place;
+    const SpacePoint& to = mesh.points[static_cast<std::size_t>(edge.points[1])].place;
+    length += (to - from).norm();
+    off += isOn(from) && isOn(to) ? 0 : 1;
+  }
+  return length;
+}
+
+TEST(SurfaceQuadWorkflow, FollowsSharpEdges)
+{
+  // A box of 3 × 3 × 1 with a hole of 1 × 1: straight lines, so the length is theirs only if all nodes are on them.
+  SurfaceRequest request;
+  request.quadCount = 900;
+  const QuadWorkflowResult result = MakeQuadsOfSurface(BoxWithHoles(1, 4), request);
+  const QuadMesh& mesh = result.quads.mesh;
+  EXPECT_EQ(mesh.EulerCharacteristic(), 0);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.7);
+  int off = 0;
+  const auto isOn = [](const SpacePoint& place)
+  {
+    const SpacePoint rounded = place.array().round().matrix();
+    return ((place - rounded).cwiseAbs().array() < 1e-12).count() >= 2;
+  };
+  EXPECT_NEAR(LengthOfFeatures(mesh, isOn, off), 2 * 12 + 2 * 4 + 8 * 1, 1e-9);
+  EXPECT_EQ(off, 0);
+  EXPECT_EQ(result.events.front(),
+    "Quads follow the sharp edges of the surface: 24 lines between 10 faces.");
+  // Blocks end at the lines.
+  for (const SpacePoint& normal : mesh.normals)
+  {
+    EXPECT_NEAR(normal.cwiseAbs().maxCoeff(), 1.0, 1e-9);
+  }
+}
+
+TEST(SurfaceQuadWorkflow, FollowsCircles)
+{
+  SurfaceRequest request;
+  request.quadCount = 800;
+  const QuadWorkflowResult result = MakeQuadsOfSurface(Can(12), request);
+  const QuadMesh& mesh = result.quads.mesh;
+  EXPECT_EQ(mesh.EulerCharacteristic(), 2);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.7);
+  EXPECT_EQ(std::count_if(mesh.points.begin(), mesh.points.end(),
+              [](const QuadPoint& point) { return point.valence == 3; }),
+    8);
+  int off = 0;
+  const auto isOn = [](const SpacePoint& place)
+  {
+    const double radius = place.head<2>().norm();
+    return std::abs(std::abs(place.z()) - 1.0) < 1e-12 && radius < 1.0 + 1e-12 && radius > 0.99;
+  };
+  EXPECT_NEAR(LengthOfFeatures(mesh, isOn, off), 4.0 * Pi, 0.2);
+  EXPECT_EQ(off, 0);
+
+  // Without sharp edges quads pass over them.
+  request.featureAngle = Pi;
+  off = 0;
+  EXPECT_EQ(LengthOfFeatures(MakeQuadsOfSurface(Can(12), request).quads.mesh, isOn, off), 0.0);
+}
+
+/// Returns a turned part: a closed line of points (r, z), counter-clockwise, turned about the axis z in n steps.
+SurfaceMesh Turned(const std::vector<Point>& profile, int n)
+{
+  SurfaceMesh surface;
+  const auto m = static_cast<int>(profile.size());
+  for (int k = 0; k < n; ++k)
+  {
+    const double angle = 2.0 * Pi * k / n;
+    for (int i = 0; i < m; ++i)
+    {
+      const Point& at = profile[static_cast<std::size_t>(i)];
+      surface.points.emplace_back(at.x() * std::cos(angle), at.x() * std::sin(angle), at.y());
+      const int a = k * m + i;
+      const int b = k * m + (i + 1) % m;
+      const int shift = k + 1 < n ? m : (1 - n) * m;
+      surface.triangles.push_back({ a, a + shift, b });
+      surface.triangles.push_back({ b, a + shift, b + shift });
+    }
+  }
+  return surface;
+}
+
+TEST(SurfaceQuadWorkflow, LeavesOutPairsIfNumbersOfEdgesContradict)
+{
+  // The ends are rings, which have pairs of singularities by themselves, but the walls demand equal numbers of
+  // edges on all circles.
+  const SurfaceMesh part = Turned(
+    { { 0.2, 0.0 }, { 1.2, 0.0 }, { 1.2, 0.5 }, { 0.8, 0.5 }, { 0.8, 1.0 }, { 0.2, 1.0 } }, 24);
+  SurfaceRequest request;
+  request.quadCount = 800;
+  const QuadWorkflowResult result = MakeQuadsOfSurface(part, request);
+  EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 0);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_EQ(result.quads.blocks.blocks.size(), 6u);
+  const auto told = std::count_if(result.events.begin(), result.events.end(),
+    [](const std::string& event) { return event.find("left out in pairs") != std::string::npos; });
+  EXPECT_EQ(told, 1);
+
+  // Given ones are kept, so there is no mesh: eight of a ring, none elsewhere.
+  request.singularities.emplace();
+  for (int i = 0; i < 8; ++i)
+  {
+    const double angle = Pi * (i + 0.5) / 4.0;
+    const double radius = i % 2 == 0 ? 0.5 : 0.9;
+    request.singularities->push_back(
+      { SpacePoint(radius * std::cos(angle), radius * std::sin(angle), 0.0), i % 2 == 0 ? -1 : 1 });
+  }
+  EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(part, request); },
+    { "No numbers of edges fit the faces", "one with the sharp edge at (", "FeatureAngle" },
+    Error::Kind::Inconsistent));
+}
+
+TEST(SurfaceQuadWorkflow, LeavesSingularitiesOnSharpEdgesToTheirAngles)
+{
+  SurfaceRequest request;
+  request.quadCount = 600;
+  request.singularities.emplace();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    request.singularities->push_back({ SpacePoint(corner % 2, corner / 2 % 2, corner / 4), 1 });
+  }
+  const QuadWorkflowResult result = MakeQuadsOfSurface(CubeOfTwelve(), request);
+  EXPECT_EQ(result.quads.mesh.quads.size(), 600u);
+  const auto told = std::count_if(result.events.begin(), result.events.end(),
+    [](const std::string& event) { return event.find("is on a sharp edge") != std::string::npos; });
+  EXPECT_EQ(told, 8);
+  // One on a face needs others there.
+  request.singularities = { { SpacePoint(0.5, 0.5, 1.0), 1 } };
+  EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(CubeOfTwelve(), request); },
+    { "Face at (0.", "add up to 1", "needs" }, Error::Kind::Inconsistent));
 }
 
 TEST(SurfaceQuadWorkflow, MeshesPartsOneByOne)
@@ -180,9 +333,10 @@ TEST(SurfaceQuadWorkflow, GivesSharpCornersIndexOne)
     }
   }
   const ConedSurfaces found = PlaceCones(rhombus, {});
-  ASSERT_EQ(found.parts.size(), 1u);
-  EXPECT_EQ(found.parts[0].cones.size(), 2u);
-  EXPECT_EQ(found.parts[0].RequiredQuarters(), 2);
+  ASSERT_EQ(found.bodies.size(), 1u);
+  ASSERT_EQ(found.bodies[0].faces.size(), 1u);
+  EXPECT_EQ(found.bodies[0].faces[0].cones.size(), 2u);
+  EXPECT_EQ(found.bodies[0].faces[0].RequiredQuarters(), 2);
 }
 
 TEST(SurfaceQuadWorkflow, ChecksWithoutQuads)

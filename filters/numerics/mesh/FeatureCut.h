@@ -1,0 +1,42 @@
+#pragma once
+
+#include "FeatureEdges.h"
+
+namespace crossfield
+{
+/// A point of one face of a surface.
+struct FacePoint
+{
+  int face = 0;
+  int point = 0;
+};
+
+/// A line of sharp edges from one node to the next, or a closed one without or with one node.
+struct FeatureLine
+{
+  /// Faces on its left and on its right, which may be the same one.
+  std::array<int, 2> faces{};
+  /// Its points in each, in its direction; the first one of a closed line is not repeated.
+  std::array<std::vector<int>, 2> points;
+  bool isClosed = false;
+};
+
+/// A point where lines end: other than two of them and of the boundary meet there, or a face has a corner.
+struct FeatureNode
+{
+  bool isOnBoundary = false;
+  std::vector<FacePoint> corners; ///< Of the faces that meet there, each a fan of triangles.
+};
+
+/// The faces of a surface that is cut along its sharp edges. A point has a copy in each fan of triangles between them.
+struct CutSurface
+{
+  std::vector<SurfaceMesh> faces; ///< The largest area first.
+  std::vector<int> faceOf;        ///< Per triangle of the whole.
+  std::vector<FeatureLine> lines;
+  std::vector<FeatureNode> nodes;
+};
+
+/// Cuts a connected, oriented manifold surface along its sharp edges (docs/method.md §22.12).
+CutSurface CutAlongFeatures(const SurfaceMesh& surface, const FeatureEdges& features);
+}
