@@ -196,6 +196,7 @@ int Mesh(const QuadsOptions& options)
     raiser->SetInputData(quads);
     raiser->SetSurfaceConnection(domain->GetOutputPort()); // of use if it is curved
     raiser->SetOrder(options.order);
+    raiser->SetFeatureAngle(options.featureAngle);
     PipelineRun::Update(raiser, "curving");
     quads->ShallowCopy(raiser->GetOutput());
   }

@@ -212,6 +212,7 @@ def _mesh_of(pipeline: Pipeline, mesher: vtkQuadMesher, was_chosen: bool, order:
         raiser.SetInputData(grid)
         raiser.SetSurfaceConnection(mesher.GetInputConnection(0, 0))  # of use if it is curved
         raiser.SetOrder(order)
+        raiser.SetFeatureAngle(mesher.GetFeatureAngle())
         grid = pipeline.update(raiser).GetOutput()
     blocks, layout = mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
     used = configuration_of(mesher, 3)

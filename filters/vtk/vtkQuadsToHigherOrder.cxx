@@ -9,11 +9,13 @@
 #include "SolverMeshReading.h"
 #include "SolverMeshWriting.h"
 #include "SurfaceConversion.h"
+#include "VertexPlacement.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -40,17 +42,39 @@ std::vector<std::array<int, 4>> CornersOf(const crossfield::SolverMesh& quads)
   return corners;
 }
 
-/** Returns a function that places nodes on a surface. It refers to both arguments. */
-crossfield::NodePlacement PlacementOn(
-  const crossfield::QuadsOnSurface& located, const crossfield::SolverMesh& quads)
+using Lines = std::vector<std::array<crossfield::SpacePoint, 2>>;
+
+crossfield::SpacePoint NearestOn(const Lines& lines, const crossfield::SpacePoint& place)
 {
-  return [&](const crossfield::SpacePoint& place, int point, bool isOnBoundary)
+  crossfield::SpacePoint nearest = crossfield::SpacePoint::Constant(VTK_DOUBLE_MAX);
+  for (const auto& [from, to] : lines)
+  {
+    const crossfield::SpacePoint here = crossfield::NearestOnSide(from, to, place);
+    nearest = (here - place).squaredNorm() < (nearest - place).squaredNorm() ? here : nearest;
+  }
+  return nearest;
+}
+
+/** Returns a function that places nodes on a surface, whose lines are given. It refers to all arguments. */
+crossfield::NodePlacement PlacementOn(const crossfield::QuadsOnSurface& located, const Lines& lines,
+  const crossfield::SolverMesh& quads)
+{
+  return [&](const crossfield::SpacePoint& place, const std::array<int, 4>& corners, bool isOnLine)
   {
     constexpr double Rounding = 1e-6; // of an edge
-    const crossfield::SpacePoint& end = quads.points[static_cast<std::size_t>(point)];
-    return isOnBoundary && located.IsOnBoundary(end, Rounding * (place - end).norm())
-      ? located.NearestOnBoundary(place)
-      : located.NearestTo(place, point);
+    const crossfield::SpacePoint& end = quads.points[static_cast<std::size_t>(corners[0])];
+    if (isOnLine && (NearestOn(lines, end) - end).norm() <= Rounding * (place - end).norm())
+    {
+      return NearestOn(lines, place);
+    }
+    // A corner on a sharp edge may be known in a triangle of the other face, from which no walk leads here.
+    crossfield::SpacePoint nearest = crossfield::SpacePoint::Constant(VTK_DOUBLE_MAX);
+    for (const int corner : corners)
+    {
+      const crossfield::SpacePoint here = located.NearestTo(place, corner);
+      nearest = (here - place).squaredNorm() < (nearest - place).squaredNorm() ? here : nearest;
+    }
+    return nearest;
   };
 }
 
@@ -110,11 +134,13 @@ int vtkQuadsToHigherOrder::RequestData(
       }
       vtkDataSet* surface = vtkDataSet::GetData(inputVector[2]);
       std::optional<crossfield::QuadsOnSurface> located;
+      Lines lines;
       crossfield::NodePlacement placement;
       if (surface != nullptr && SurfaceConversion::IsSurface(surface))
       {
         located.emplace(SurfaceConversion::ReadTriangles(surface), quads.points, CornersOf(quads));
-        placement = PlacementOn(*located, quads);
+        lines = located->FindLines(vtkMath::RadiansFromDegrees(this->FeatureAngle));
+        placement = PlacementOn(*located, lines, quads);
       }
       crossfield::OrderQuality quality;
       const crossfield::SolverMesh raised =
@@ -137,4 +163,5 @@ void vtkQuadsToHigherOrder::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Order: " << this->Order << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
 }

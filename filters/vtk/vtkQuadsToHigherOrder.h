@@ -26,7 +26,7 @@
  *   edge).
  *
  * Input port 2 (vtkDataSet), optional: surface cells, one connected part, in no plane (others are ignored): then
- * the quads may be in space, all nodes are points of the surface, those of its boundary on that (docs/method.md, section
+ * the quads may be in space, all nodes are points of the surface, those of its boundary and of sharp edges on these (docs/method.md, section
  * 22.10), and there are no curves.
  *
  * With order 1 the output is the input with its boundary edges.
@@ -67,6 +67,15 @@ public:
   vtkGetMacro(Order, int);
   ///@}
 
+  ///@{
+  /**
+   * With a surface: sets the angle between the normals of two triangles, in degrees, above which their common edge is
+   * sharp, as in vtkQuadMesher: nodes of edges on sharp ones are on these. Default: 35.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
 protected:
   vtkQuadsToHigherOrder();
   ~vtkQuadsToHigherOrder() override = default;
@@ -79,6 +88,7 @@ private:
   void operator=(const vtkQuadsToHigherOrder&) = delete;
 
   int Order = 2;
+  double FeatureAngle = 35.0;
 };
 
 #endif

@@ -198,6 +198,25 @@ class Surfaces(ProgramTest):
         self.assertIn("The surface turns by more than 60 degrees within ", over.stderr)
         self.refuse("quads", "cube.stl", "-o", "q.vtu", "--feature-angle", "-1", says=["--feature-angle"])
 
+    def test_order_two_on_sharp_edges(self):
+        def on_can(place):
+            cube = [x / max(map(abs, place)) for x in place]
+            radius = math.hypot(*cube[:2])
+            scale = max(map(abs, cube[:2])) / radius if radius else 0
+            return [cube[0] * scale, cube[1] * scale, cube[2]]
+        points, triangles = sphere(24)
+        (self.folder / "can.off").write_text(off([on_can(point) for point in points], triangles))
+        self.succeed("quads", "can.off", "--quads", "800", "--order", "2", "-o", "can.inp")
+        text = (self.folder / "can.inp").read_text()
+        nodes = [[float(x) for x in line.split(",")[1:]]
+                 for line in text.split("*NODE, NSET=NALL\n")[1].split("*")[0].splitlines()]
+        rims = text.split("*NSET, NSET=features\n")[1].split("*")[0].replace(",", " ").split()
+        self.assertGreater(len(rims), 100)
+        for node in rims:
+            place = nodes[int(node) - 1]
+            self.assertAlmostEqual(abs(place[2]), 1, delta=1e-12)
+            self.assertGreater(math.hypot(*place[:2]), math.cos(math.pi / 96) - 1e-9)  # of chords 0.997
+
     def test_how_they_fit(self):
         (self.folder / "part.off").write_text(off(*sphere(24)))
         for quads in (150, 600):

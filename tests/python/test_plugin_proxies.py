@@ -39,7 +39,7 @@ PROXIES = {
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
                    "HoldSingularities FeatureAngle RepairHolonomy SplitSingularities Curves"),
     "SmoothQuads": ("filters", "Input SlideOnBoundary CornerAngle UniformSizes"),
-    "QuadsToHigherOrder": ("filters", "Input Boundary Order"),
+    "QuadsToHigherOrder": ("filters", "Input Boundary Order FeatureAngle"),
     "ExtrudeQuads": ("filters", "Input Boundary Motion Layers Height Angle Axis"),
     "QuadMeshWriter": ("writers", "Input FileName MshVersion PatchTypes"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),

@@ -56,6 +56,12 @@ def line_between_materials_on_the_boundary(file):
     kinds[np.flatnonzero(kinds == 1)[0]] = 5
 
 
+@of("quads", "the edges on sharp edges are inside, with one line each", SIDES, "the file makes sense")
+def line_of_a_sharp_edge_on_the_boundary(file):
+    kinds = file.cell("BoundaryKind")
+    kinds[np.flatnonzero(kinds == 1)[0]] = 7
+
+
 @of("regions", "RegionLeft is the material beside a line", "RegionRight is the material beside a line",
     "Region is the material beside a line")
 def materials_beside_a_line_changed(file):

@@ -200,10 +200,17 @@ private:
   EdgeCounts CountsFor(double size, SearchEffort effort) const
   {
     QuantisationProblem problem = this->ProblemFor(size);
-    EdgeCounts counts = Quantise(this->Separatrices, problem, effort);
+    double seconds = 0.0;
+    const auto solve = [&]
+    {
+      EdgeCounts solved = Quantise(this->Separatrices, problem, effort);
+      solved.seconds = seconds += solved.seconds;
+      return solved;
+    };
+    EdgeCounts counts = solve();
     if (this->Loops.RaiseTargets(size, counts.counts, problem))
     {
-      counts = Quantise(this->Separatrices, problem, effort);
+      counts = solve();
     }
     // Around a handle, two arcs of one edge may join the same points.
     constexpr int Repetitions = 5; // each leaves fewer
@@ -219,7 +226,7 @@ private:
       {
         problem.lower[arc] = 2;
       }
-      counts = Quantise(this->Separatrices, problem, effort);
+      counts = solve();
     }
     return counts;
   }

@@ -107,6 +107,7 @@ EdgeCounts SearchCounts(const TMesh& mesh, double size, int requested, double ar
   }
   EdgeCounts thorough = countsOf(found.size, SearchEffort::Thorough);
   thorough.size = found.size;
+  thorough.seconds = found.seconds += thorough.seconds; // of both, whichever is returned
   const double error = CountError(mesh, thorough, requested);
   return error <= CountTolerance || error <= CountError(mesh, found, requested) ? thorough : found;
 }

@@ -1,6 +1,8 @@
 #include "QuadsOnSurface.h"
 
 #include "Error.h"
+#include "FeatureEdges.h"
+#include "Index.h"
 #include "SurfaceParts.h"
 #include "VertexPlacement.h"
 
@@ -59,9 +61,11 @@ QuadsOnSurface::QuadsOnSurface(const SurfaceMesh& surface, const std::vector<Spa
           continue;
         }
         const MeshPlace near = this->Paths.Find(this->Triangles[from], points[p]);
-        // A walk that ends at a hole of the surface has not arrived.
-        const bool hasArrived =
-          (this->Paths.PlaceOf(near) - points[p]).norm() < (points[p] - points[from]).norm();
+        // A walk that ends at a hole of the surface or a sharp edge has not arrived; points are beside the surface by
+        // less than this part of an edge.
+        constexpr double Beside = 0.25;
+        const bool hasArrived = (this->Paths.PlaceOf(near) - points[p]).norm() <
+          Beside * (points[p] - points[from]).norm();
         this->Triangles[p] =
           hasArrived ? near.triangle : FindNearest(this->Surface, points[p]).triangle;
         reached.push_back(p);
@@ -96,5 +100,29 @@ bool QuadsOnSurface::IsOnBoundary(const SpacePoint& place, double distance) cons
 {
   return !this->Topology.mesh.boundary.empty() &&
     (this->NearestOnBoundary(place) - place).norm() <= distance;
+}
+
+std::vector<std::array<SpacePoint, 2>> QuadsOnSurface::FindLines(double featureAngle) const
+{
+  std::vector<std::array<SpacePoint, 2>> lines;
+  for (const BoundaryEdge& edge : this->Topology.mesh.boundary)
+  {
+    lines.push_back(
+      { this->Topology.PositionOf(edge.vertices[0]), this->Topology.PositionOf(edge.vertices[1]) });
+  }
+  const FeatureEdges features = FindFeatureEdges(this->Surface, featureAngle);
+  for (std::size_t t = 0; t < features.isFeature.size(); ++t)
+  {
+    const std::array<int, 3>& v = this->Surface.triangles[t];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      if (features.isFeature[t][i] && v[i] < v[(i + 1) % 3]) // once
+      {
+        lines.push_back(
+          { this->Surface.points[Index(v[i])], this->Surface.points[Index(v[(i + 1) % 3])] });
+      }
+    }
+  }
+  return lines;
 }
 }

@@ -30,6 +30,9 @@ public:
   SpacePoint NearestOnBoundary(const SpacePoint& place) const;
   /// Returns whether a place is on the surface's boundary, up to a distance.
   bool IsOnBoundary(const SpacePoint& place, double distance) const;
+  /// Returns the lines of the surface as pairs of ends: its boundary and the edges sharper than an angle, in radians
+  /// (FindFeatureEdges).
+  std::vector<std::array<SpacePoint, 2>> FindLines(double featureAngle) const;
 
 private:
   const SurfaceMesh Surface;

@@ -52,6 +52,9 @@ public:
   /// Returns another face with the same corners, or one of Partners.
   int PartnerOf(std::size_t face) const { return this->PartnerOfFace[face]; }
 
+  /// Returns whether a face is one of a side, on the boundary or inside.
+  bool HasSide(std::size_t face) const { return this->SideOfFace[face] >= 0; }
+
   /// Returns the side on the boundary that has a face with these corners, −1 if they are inside or no face.
   int SideOf(const Key& key) const;
 

@@ -103,6 +103,16 @@ private:
   int StartOf(int side) const { return this->CornerOf(side / 4, side % 4); }
   int EndOf(int side) const { return this->CornerOf(side / 4, side % 4 + 1); }
   int TwinOf(int side) const { return this->Faces.PartnerOf(Index(side)); }
+  /// Returns the corners of the quad of a side, from its start on.
+  std::array<int, 4> CornersFrom(int side) const
+  {
+    std::array<int, 4> corners{};
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[Index(i)] = this->CornerOf(side / 4, side % 4 + i);
+    }
+    return corners;
+  }
   static int Opposite(int side) { return side / 4 * 4 + (side + 2) % 4; }
   /// Returns the number of the edge of a side: the smaller one of its sides.
   std::size_t EdgeOf(int side) const
@@ -295,9 +305,9 @@ private:
           const int node = along[this->IsForward(side) ? k : p - k];
           if (this->Surface)
           {
-            nodes.col(node) = isNew
-              ? this->Surface(nodes.col(node), this->StartOf(side), this->TwinOf(side) < 0)
-              : this->Result.points[first + k - 1];
+            nodes.col(node) = isNew ? this->Surface(nodes.col(node), this->CornersFrom(side),
+                                        this->Faces.HasSide(Index(side)))
+                                    : this->Result.points[first + k - 1];
           }
           const int number = isNew ? this->AddPoint(nodes.col(node)) : first + k - 1;
           first = k == 1 ? number : first;
@@ -310,7 +320,7 @@ private:
         if (numbers[node] < 0)
         {
           auto place = nodes.col(static_cast<Eigen::Index>(node));
-          place = this->Surface ? this->Surface(place, this->CornerOf(quad, 0), false)
+          place = this->Surface ? this->Surface(place, this->CornersFrom(4 * quad), false)
                                 : SpacePoint(place);
           numbers[node] = this->AddPoint(place);
         }

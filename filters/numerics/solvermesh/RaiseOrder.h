@@ -4,6 +4,7 @@
 #include "Progress.h"
 #include "SolverMesh.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -22,10 +23,11 @@ struct OrderQuality
   std::vector<double> sagittas;
 };
 
-/// Returns the point of a surface nearest to a place near a point of the mesh; if the place is on the boundary of the
-/// mesh, that of the surface's boundary.
-using NodePlacement =
-  std::function<SpacePoint(const SpacePoint& place, int point, bool isOnBoundary)>;
+/// Returns the point of a surface nearest to a place in a quad of the mesh with the given corners; if the place is on an
+/// edge, which leads from the first corner to the second, that is on the boundary of the mesh or on a line inside that
+/// has a side, the nearest point of the lines of the surface.
+using NodePlacement = std::function<SpacePoint(
+  const SpacePoint& place, const std::array<int, 4>& corners, bool isOnLine)>;
 
 /// Returns quads of order 2 or 3 from those of order 1, with Lagrange nodes at equal steps; the points of the given
 /// quads come first. `quality` receives measures.

@@ -333,10 +333,11 @@ TEST(RaiseOrder, PlacesNodesOnASurface)
     {
       const SolverMesh quads = QuadsOfSphere(4, top);
       EXPECT_EQ(quads.side.empty(), top == 1.0);
-      const auto place = [&](const SpacePoint& near, int point, bool isOnBoundary) -> SpacePoint
+      const auto place = [&](const SpacePoint& near, const std::array<int, 4>& corners,
+                           bool isOnLine) -> SpacePoint
       {
-        EXPECT_LT((near - quads.points[static_cast<std::size_t>(point)]).norm(), 0.6);
-        EXPECT_EQ(isOnBoundary, top == 0.0 && std::abs(near.z()) < 1e-12);
+        EXPECT_LT((near - quads.points[static_cast<std::size_t>(corners[0])]).norm(), 0.6);
+        EXPECT_EQ(isOnLine, top == 0.0 && std::abs(near.z()) < 1e-12);
         return near.normalized();
       };
       OrderQuality quality;
