@@ -240,6 +240,28 @@ private:
     }
   }
 
+  /// Adds both halves of a line that returns to its node, with another node between them. On one side it may be a whole
+  /// loop and on the other, where a line of its own ends at the node, not.
+  void AddInHalves(const FeatureLine& line)
+  {
+    const std::size_t middle = line.points[0].size() / 2;
+    FeatureLine first;
+    FeatureLine second;
+    first.faces = second.faces = line.faces;
+    FeatureNode node;
+    for (const std::size_t side : { 0, 1 })
+    {
+      const std::vector<int>& points = line.points[side];
+      const auto at = points.begin() + static_cast<std::ptrdiff_t>(middle);
+      first.points[side].assign(points.begin(), at + 1);
+      second.points[side].assign(at, points.end());
+      node.corners.push_back({ line.faces[side], *at });
+    }
+    this->Result.lines.push_back(std::move(first));
+    this->Result.lines.push_back(std::move(second));
+    this->Result.nodes.push_back(std::move(node));
+  }
+
   /// Adds the line that starts with a side.
   void Follow(const Half& first, std::vector<std::array<bool, 3>>& isVisited)
   {
@@ -256,14 +278,22 @@ private:
       const int end = this->PointAt(half.triangle, half.side + 1);
       if (end == start || this->Nodes.count(end) > 0)
       {
-        line.isClosed = end == start;
-        if (!line.isClosed)
+        const bool endsInNode = this->Nodes.count(end) > 0;
+        line.isClosed = !endsInNode;
+        line.faces = { this->Face[Index(half.triangle)], this->Face[Index(twin.triangle)] };
+        if (endsInNode)
         {
           line.points[0].push_back(this->FacePointAt(half.triangle, half.side + 1));
           line.points[1].push_back(this->FacePointAt(twin.triangle, twin.side));
         }
-        line.faces = { this->Face[Index(half.triangle)], this->Face[Index(twin.triangle)] };
-        this->Result.lines.push_back(std::move(line));
+        if (endsInNode && end == start)
+        {
+          this->AddInHalves(line);
+        }
+        else
+        {
+          this->Result.lines.push_back(std::move(line));
+        }
         return;
       }
       // Around the end, inside of the face.

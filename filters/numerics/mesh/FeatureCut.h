@@ -11,7 +11,7 @@ struct FacePoint
   int point = 0;
 };
 
-/// A line of sharp edges from one node to the next, or a closed one without or with one node.
+/// A line of sharp edges from one node to another, or a closed one without nodes.
 struct FeatureLine
 {
   /// Faces on its left and on its right, which may be the same one.
@@ -21,7 +21,8 @@ struct FeatureLine
   bool isClosed = false;
 };
 
-/// A point where lines end: other than two of them and of the boundary meet there, or a face has a corner.
+/// A point where lines end: other than two of them and of the boundary meet there, or a face has a corner; also the
+/// middle of a line that would return to its node.
 struct FeatureNode
 {
   bool isOnBoundary = false;

@@ -78,6 +78,50 @@ TEST(FeatureCut, HasClosedLines)
   ExpectLinesOf(cut);
 }
 
+TEST(FeatureCut, DividesLinesThatReturnToTheirNode)
+{
+  // A cam: its profile has one corner, so on the wall, which ends there, its outline is open, and on the ends it is a loop.
+  SurfaceMesh cam;
+  constexpr int Arc = 16;
+  std::vector<Point> profile = { { 2.0, 0.0 } };
+  for (int k = 0; k <= Arc; ++k)
+  {
+    const double angle = Pi / 3.0 + 4.0 * Pi / 3.0 * k / Arc;
+    profile.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  const auto count = static_cast<int>(profile.size());
+  for (const double z : { 0.0, 1.0 })
+  {
+    for (const Point& at : profile)
+    {
+      cam.points.emplace_back(at.x(), at.y(), z);
+    }
+  }
+  cam.points.emplace_back(0.0, 0.0, 0.0);
+  cam.points.emplace_back(0.0, 0.0, 1.0);
+  for (int i = 0; i < count; ++i)
+  {
+    const int j = (i + 1) % count;
+    cam.triangles.push_back({ i, j, count + j });
+    cam.triangles.push_back({ i, count + j, count + i });
+    cam.triangles.push_back({ 2 * count, j, i });
+    cam.triangles.push_back({ 2 * count + 1, count + i, count + j });
+  }
+  const CutSurface cut = CutOf(cam);
+  EXPECT_EQ(cut.faces.size(), 3u);
+  EXPECT_EQ(cut.lines.size(), 5u); // two halves at each end, and the edge of the corner
+  EXPECT_EQ(cut.nodes.size(), 4u);
+  ExpectLinesOf(cut);
+  for (const FeatureLine& line : cut.lines)
+  {
+    EXPECT_FALSE(line.isClosed);
+    for (const std::vector<int>& points : line.points)
+    {
+      EXPECT_NE(points.front(), points.back());
+    }
+  }
+}
+
 /// A narrow roof along y, whose ridge has an angle that depends on y.
 template <typename AngleAt>
 SurfaceMesh Roof(int rows, const AngleAt& angleAt)
