@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <set>
 #include <utility>
 
 namespace crossfield
@@ -161,8 +161,8 @@ private:
       double angle = 0.0;
       FacePoint corner;
     };
-    std::map<int, int> sides; // of sharp edges and of the boundary, per point of a sharp edge
-    std::map<int, bool> isOnBoundary;
+    std::map<int, int> sides; // number of sharp edges, per point of one
+    std::set<int> onBoundary;
     this->ForHalves(
       [&](const Half& half)
       {
@@ -179,7 +179,7 @@ private:
         {
           if (this->BeyondOf(half) < 0 && sides.count(this->PointAt(half.triangle, end)) > 0)
           {
-            isOnBoundary[this->PointAt(half.triangle, end)] = true;
+            onBoundary.insert(this->PointAt(half.triangle, end));
           }
         }
       });
@@ -204,7 +204,7 @@ private:
       });
     for (const auto& [point, ofPoint] : fans)
     {
-      const bool touches = isOnBoundary.count(point) > 0;
+      const bool touches = onBoundary.count(point) > 0;
       const bool hasCorner = std::any_of(ofPoint.begin(), ofPoint.end(),
         [](const auto& entry) { return IsCorner(Pi - entry.second.angle); });
       if (sides.at(point) == 2 && !touches && !hasCorner)
@@ -217,7 +217,7 @@ private:
       {
         node.corners.push_back(fan.corner);
       }
-      this->Nodes.emplace(point, static_cast<int>(this->Result.nodes.size()));
+      this->Nodes.insert(point);
       this->Result.nodes.push_back(std::move(node));
     }
   }
@@ -312,7 +312,7 @@ private:
   UnionFind Fans;                ///< Of corners 3 t + i.
   std::vector<int> Face;         ///< Per triangle.
   std::map<int, int> PointOfFan; ///< In its face.
-  std::map<int, int> Nodes;      ///< Of points.
+  std::set<int> Nodes;           ///< Points.
   CutSurface Result;
 };
 }

@@ -71,11 +71,12 @@ public:
     {
       return this->MakeQuads(layouts, progress.Part(0.7, 1.0));
     }
-    catch (const Error&)
+    catch (const Error& error)
     {
       // A face with pairs may need other numbers of edges on its two loops than the faces beside it have.
+      const bool helps = this->Chooses && error.GetKind() == Error::Kind::Inconsistent;
       this->WithoutPairs = true;
-      const std::optional<PartOfQuads> made = this->TryAgain(layouts.pairs.empty());
+      const std::optional<PartOfQuads> made = helps ? this->TryAgain() : std::nullopt;
       if (!made)
       {
         throw;
@@ -86,12 +87,8 @@ public:
 
 private:
   /// Returns quads without pairs of opposite singularities, nothing if there are none.
-  std::optional<PartOfQuads> TryAgain(bool isOneFace)
+  std::optional<PartOfQuads> TryAgain()
   {
-    if (isOneFace || !this->Chooses)
-    {
-      return std::nullopt;
-    }
     try
     {
       const LayoutSet layouts = this->LayOut({});
@@ -322,7 +319,8 @@ QuadWorkflowResult MakeQuadsOfSurface(
   const double area = AreaOf(surface);
   SurfaceMesh refined;
   const SurfaceMesh* triangles = &surface;
-  double longest = request.quadSize > 0.0 ? request.quadSize : std::sqrt(area / request.quadCount);
+  double next = request.quadSize > 0.0 ? request.quadSize : std::sqrt(area / request.quadCount);
+  double longest = 0.0; // side of the triangles in use
   for (int refinements = 0;; ++refinements)
   {
     const double done = refinements == 0 ? 0.0 : 0.6 + 0.2 * (refinements - 1);
@@ -336,7 +334,7 @@ QuadWorkflowResult MakeQuadsOfSurface(
         result.events.push_back(
           "The triangles of the surface were divided, on the same surface, until their sides were "
           "at most " +
-          FormatShort(2.0 * longest) + " long: with larger ones there is no map.");
+          FormatShort(longest) + " long: with larger ones there is no map.");
       }
       progress.Report(1.0);
       return result;
@@ -344,7 +342,7 @@ QuadWorkflowResult MakeQuadsOfSurface(
     catch (const Error& error)
     {
       // Equilateral triangles with sides of this length; others are up to three times as many.
-      const bool fits = area / (0.43 * longest * longest) < MaximumTriangles;
+      const bool fits = area / (0.43 * next * next) < MaximumTriangles;
       if (error.GetKind() != Error::Kind::CoarseMesh || error.GetCause().empty() || !fits)
       {
         throw;
@@ -352,13 +350,14 @@ QuadWorkflowResult MakeQuadsOfSurface(
       if (refinements == MaximumRefinements)
       {
         throw Error(error.GetCause() + ", even with the sides of triangles at most " +
-            FormatShort(2.0 * longest) + " long",
+            FormatShort(longest) + " long",
           "give other singularities, or a surface with more even triangles", error.GetKind());
       }
     }
+    longest = next;
     refined = RefinedParts(surface, longest);
     triangles = &refined;
-    longest *= 0.5;
+    next *= 0.5;
   }
 }
 }
