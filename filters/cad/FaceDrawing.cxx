@@ -14,6 +14,7 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
@@ -84,7 +85,8 @@ const PlanarFace& Largest(const std::vector<PlanarFace>& faces, const std::strin
       if (equal.size() > 2 || !face.normal.IsParallel(largest->normal, Parallel))
       {
         throw Error("The model '" + file +
-          "' has several planar faces of the same, largest area; give a model of one face.");
+          "' has several planar faces of the same, largest area; give a model of one face, or take all "
+          "faces as a surface (AllFaces, --all-faces).");
       }
     }
   }
@@ -215,16 +217,17 @@ DomainPlane PlaneOf(const std::vector<TopoDS_Edge>& edges)
 }
 
 //------------------------------------------------------------------------------
+bool HasPlanarFace(const ModelFile& model)
+{
+  int count = 0;
+  return !PlanarFaces(model.Shape(), count).empty();
+}
+
+//------------------------------------------------------------------------------
 crossfield::Drawing DrawLargestFace(const ModelFile& model)
 {
   int count = 0;
   const std::vector<PlanarFace> faces = PlanarFaces(model.Shape(), count);
-  if (faces.empty())
-  {
-    throw Error("The model '" + model.File() + "' has " +
-      (count == 0 ? std::string("no face") : "no planar face among " + std::to_string(count)) +
-      "; give a model with a planar face.");
-  }
   const std::vector<TopoDS_Edge> edges = EdgesOf(Largest(faces, model.File()).face);
   crossfield::Drawing drawing;
   drawing.unit = model.Unit();
@@ -243,7 +246,8 @@ crossfield::Drawing DrawLargestFace(const ModelFile& model)
   if (count > 1)
   {
     drawing.warnings.push_back("The largest planar face of '" + model.File() +
-      "' was used; it has " + std::to_string(count) + " faces.");
+      "' was used; it has " + std::to_string(count) +
+      " faces. All of them are a surface with AllFaces (--all-faces).");
   }
   return drawing;
 }

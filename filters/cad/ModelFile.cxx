@@ -122,14 +122,14 @@ void ModelFile::ReadBrep()
 }
 
 //------------------------------------------------------------------------------
-std::string ModelFile::NameOf(const TopoDS_Edge& edge) const
+std::string ModelFile::NameOf(const TopoDS_Shape& shape) const
 {
   if (!this->Reader)
   {
     return {};
   }
   const Handle(Standard_Transient) entity =
-    this->Reader->WS()->TransferReader()->EntityFromShapeResult(edge, 1);
+    this->Reader->WS()->TransferReader()->EntityFromShapeResult(shape, 1);
   const Handle(StepRepr_RepresentationItem) item =
     Handle(StepRepr_RepresentationItem)::DownCast(entity);
   if (item.IsNull() || item->Name().IsNull())

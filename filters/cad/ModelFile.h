@@ -2,7 +2,6 @@
 #define ModelFile_h
 
 #include <STEPControl_Reader.hxx>
-#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <memory>
@@ -19,8 +18,8 @@ public:
   const TopoDS_Shape& Shape() const { return this->Model; }
   /** Returns the unit of the coordinates, empty if the file has none. */
   const std::string& Unit() const { return this->UnitOfFile; }
-  /** Returns the name of an edge, empty if it has none. */
-  std::string NameOf(const TopoDS_Edge& edge) const;
+  /** Returns the name of an edge or a face, empty if it has none. */
+  std::string NameOf(const TopoDS_Shape& shape) const;
 
 private:
   void ReadStep();

@@ -2,13 +2,15 @@
 
 #include "Error.h"
 #include "FaceDrawing.h"
+#include "FaceSurface.h"
 #include "ModelFile.h"
 
 #include <Standard_Failure.hxx>
 
 #include <exception>
 
-void crossfieldReadCad(const std::string& file, crossfield::Drawing& drawing, std::string& error)
+void crossfieldReadCad(const std::string& file, const CadRequest& request,
+  crossfield::Drawing& drawing, std::string& error)
 {
   const auto fail = [&](const std::string& reason)
   {
@@ -18,7 +20,8 @@ void crossfieldReadCad(const std::string& file, crossfield::Drawing& drawing, st
   try
   {
     const ModelFile model(file);
-    drawing = DrawLargestFace(model);
+    drawing = request.allFaces || !HasPlanarFace(model) ? TriangulateFaces(model, request.angle)
+                                                        : DrawLargestFace(model);
   }
   catch (const crossfield::Error& problem)
   {

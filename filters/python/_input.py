@@ -101,12 +101,12 @@ def _loops(loops: Any) -> vtkPolyData:
 
 @checks_arguments
 def read(path: Path, join_tolerance: Optional[float] = None, layers: Sequence[str] = (),
-         closed_curves_are_regions: bool = False,
+         closed_curves_are_regions: bool = False, all_faces: bool = False,
          lines: Sequence[str] = ()) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
     aerofoil .dat, or a drawing: .dxf .svg .geojson .msh .poly .off .step .brep, whose open ends are joined within
     `join_tolerance`, by default 1e-5 of its diagonal. Of a drawing, the curves of `layers` are used, by default all. With `closed_curves_are_regions` each closed curve of it bounds a material, except those whose names
-    begin with "hole". Curves of the names `lines` are lines inside of it. "builtin:NAME" is a built-in domain.
+    begin with "hole". With `all_faces` all faces of a .step or .brep model are a surface in space. Curves of the names `lines` are lines inside of it. "builtin:NAME" is a built-in domain.
 
     Raises Error if there is no such file or domain, or the file cannot be read or holds no cells.
     """
@@ -122,6 +122,7 @@ def read(path: Path, join_tolerance: Optional[float] = None, layers: Sequence[st
         drawing.SetJoinTolerance(join_tolerance or 0.0)
         drawing.SetLayers(";".join(layers))
         drawing.SetClosedCurvesAreRegions(closed_curves_are_regions)
+        drawing.SetAllFaces(all_faces)
         drawing.SetLines(";".join(lines))
         return Pipeline().update_one(drawing).GetOutput()
     if layers or closed_curves_are_regions:

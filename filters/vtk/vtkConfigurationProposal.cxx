@@ -10,6 +10,7 @@
 #include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "NamedSurface.h"
 #include "ProposalConversion.h"
 #include "SurfaceChoice.h"
 #include "SurfaceConversion.h"
@@ -62,7 +63,7 @@ int vtkConfigurationProposal::RequestData(
                                   "leave out given singularities and corners.");
         }
         SurfaceConversion::WriteConfiguration(
-          crossfield::ChooseSurfaceSingularities(SurfaceConversion::ReadTriangles(domain),
+          crossfield::ChooseSurfaceSingularities(NamedSurface::Read(domain).mesh,
             vtkMath::RadiansFromDegrees(this->FeatureAngle), progress),
           vtkPolyData::GetData(outputVector, 0));
         return;

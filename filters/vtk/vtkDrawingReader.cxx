@@ -33,7 +33,7 @@ std::string EndingOf(const std::string& file)
   return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
 }
 
-crossfield::Drawing ReadFile(const std::string& file)
+crossfield::Drawing ReadFile(const std::string& file, const CadRequest& request)
 {
   if (!vtksys::SystemTools::FileExists(file, true))
   {
@@ -41,7 +41,7 @@ crossfield::Drawing ReadFile(const std::string& file)
   }
   if (CadLibrary::IsCad(EndingOf(file)))
   {
-    return CadLibrary::Read(file);
+    return CadLibrary::Read(file, request);
   }
   const DrawingFormat format = crossfield::FormatOfEnding(EndingOf(file));
   return crossfield::ReadDrawing(format, PointTable::ReadFile(file), file);
@@ -83,16 +83,16 @@ int vtkDrawingReader::RequestData(
   return FilterRun::Run(this, this->ErrorCode,
     [&](const crossfield::Progress& progress)
     {
-      crossfield::Drawing drawing = ReadFile(this->FileName);
+      const double turn = this->SamplingAngle * crossfield::Pi / 180.0;
+      crossfield::Drawing drawing = ReadFile(this->FileName, { this->AllFaces, turn });
       if (!drawing.surface.polygons.empty())
       {
-        DrawingConversion::WriteSurface(drawing.surface, vtkPolyData::GetData(outputVector));
+        DrawingConversion::WriteSurface(drawing, vtkPolyData::GetData(outputVector));
         return;
       }
       crossfield::KeepLayers(SideText::ReadNames(this->Layers), drawing);
       constexpr double ReadShare = 0.5;
       progress.Report(ReadShare);
-      const double turn = this->SamplingAngle * crossfield::Pi / 180.0;
       const std::vector<crossfield::DrawnLine> lines =
         crossfield::TakeLines(SideText::ReadNames(this->Lines), this->JoinTolerance, turn, drawing);
       std::optional<crossfield::DrawingOutline> outline;
@@ -139,6 +139,7 @@ void vtkDrawingReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "Lines: " << this->Lines << "\n";
   os << indent << "JoinTolerance: " << this->JoinTolerance << "\n";
+  os << indent << "AllFaces: " << (this->AllFaces ? "on" : "off") << "\n";
   os << indent << "ClosedCurvesAreRegions: " << (this->ClosedCurvesAreRegions ? "on" : "off")
      << "\n";
   os << indent << "SamplingAngle: " << this->SamplingAngle << "\n";

@@ -13,7 +13,7 @@
  * - .off: the boundary of a mesh of polygons.
  * - .dat: an aerofoil in Selig's or Lednicer's format, as a spline through its points. Other .dat
  *   files are read by vtkPlanarDomainReader.
- * - .step, .stp or .brep: the largest planar face, if Open CASCADE was installed for the build.
+ * - .step, .stp or .brep: the largest planar face, or all faces (AllFaces), if Open CASCADE was installed for the build.
  * Coordinates stay in the unit of the drawing.
  *
  * Output port 0 (vtkPolyData): line cells along the loops, in the plane of the drawing, with
@@ -28,7 +28,9 @@
  * If curves branch, cross or end on each other, or a mesh has several physical surfaces, the output also has
  * polygons, which cover the regions between the lines, with the cell array `Material` (strings), empty for lines.
  *
- * The polygons of a .msh or .off file that are in no plane are a surface in space: the output has them and nothing else.
+ * The polygons of a .msh or .off file that are in no plane, and all faces of a model (AllFaces), are a surface in space:
+ * the output has these, with the names of faces or physical surfaces in the cell array `Material` if there are several,
+ * and lines along edges with a name, in the cell array `Side`.
  *
  * Entities that are no curves, repeated curves and closed gaps are reported as warnings. The reader
  * fails, with an empty output and the place, if the file is damaged, if curves do not close, and if they are
@@ -109,7 +111,18 @@ public:
 
   ///@{
   /**
-   * Sets the maximum turn of a curve along one line, in degrees from 0.1 to 30. Default: 5.
+   * Takes all faces of a .step, .stp or .brep model, as triangles of a surface in space, not only the largest planar
+   * one. Default: off; models without a planar face are always read so.
+   */
+  vtkSetMacro(AllFaces, bool);
+  vtkGetMacro(AllFaces, bool);
+  vtkBooleanMacro(AllFaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Sets the maximum turn of a curve along one line, and of a face along one triangle, in degrees from 0.1 to 30.
+   * Default: 5.
    */
   vtkSetClampMacro(SamplingAngle, double, 0.1, 30.0);
   vtkGetMacro(SamplingAngle, double);
@@ -140,6 +153,7 @@ private:
   double JoinTolerance = 0.0;
   double SamplingAngle = 5.0;
   bool ClosedCurvesAreRegions = false;
+  bool AllFaces = false;
 };
 
 #endif

@@ -12,6 +12,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "MaterialCheck.h"
+#include "NamedSurface.h"
 #include "RegionConversion.h"
 #include "SideText.h"
 #include "SingularityRecord.h"
@@ -157,8 +158,9 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
 }
 
 /** Checks singularities of a surface in space, and writes what is known of it. */
-crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, vtkDataSet* singularities,
-  vtkDataSet* corners, double featureAngle, vtkDataSet* output, vtkPolyData* cornerOutput)
+crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, const std::string& materials,
+  vtkDataSet* singularities, vtkDataSet* corners, double featureAngle, vtkDataSet* output,
+  vtkPolyData* cornerOutput)
 {
   if (corners != nullptr)
   {
@@ -166,7 +168,8 @@ crossfield::SurfaceCheck CheckSurface(vtkDataSet* input, vtkDataSet* singulariti
       "The check of a surface in space does not support prescribed corners yet; leave them out.");
   }
   const crossfield::SurfaceCheck check =
-    crossfield::CheckSurface(SurfaceConversion::Read(input, singularities, featureAngle));
+    crossfield::CheckSurface(crossfield::PlaceCones(NamedSurface::Read(input, materials).mesh,
+      SurfaceConversion::ReadSingularities(singularities), featureAngle));
   SurfaceConversion::WriteCorners(check.corners, cornerOutput);
   output->ShallowCopy(input);
   vtkFieldData* data = output->GetFieldData();
@@ -252,9 +255,9 @@ int vtkPoincareHopfCheck::RequestData(
     vtkUnstructuredGrid* field = AsField(domain);
     if (field == nullptr && SurfaceConversion::IsSurface(domain))
     {
-      const crossfield::SurfaceCheck result = CheckSurface(domain, singularities, corners,
-        vtkMath::RadiansFromDegrees(this->FeatureAngle), vtkDataSet::GetData(outputVector, 0),
-        vtkPolyData::GetData(outputVector, 2));
+      const crossfield::SurfaceCheck result = CheckSurface(domain, this->MaterialArray,
+        singularities, corners, vtkMath::RadiansFromDegrees(this->FeatureAngle),
+        vtkDataSet::GetData(outputVector, 0), vtkPolyData::GetData(outputVector, 2));
       WriteSummary(result.consistent ? "Consistent" : "Inconsistent", result.reason,
         !result.consistent, summary);
       return;

@@ -11,6 +11,7 @@
 #include "HolonomyConversion.h"
 #include "JoinedParts.h"
 #include "MaterialCheck.h"
+#include "NamedSurface.h"
 #include "PeriodicConversion.h"
 #include "QuadBoundary.h"
 #include "QuadConversion.h"
@@ -103,10 +104,13 @@ int vtkQuadMesher::RequestData(
         request.hold = this->HoldSingularities;
         request.coarse = this->Merge == MergeCoarse;
         request.featureAngle = vtkMath::RadiansFromDegrees(this->FeatureAngle);
-        const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
-          SurfaceConversion::ReadTriangles(domain), request, progress);
+        NamedSurface surface = NamedSurface::Read(domain, this->MaterialArray, this->SideNameArray);
+        request.names = std::move(surface.names);
+        const crossfield::QuadWorkflowResult result =
+          crossfield::MakeQuadsOfSurface(surface.mesh, request, progress);
         this->Warn(result);
         this->WriteOutputs(result, crossfield::DomainPlane(), outputVector);
+        this->WriteRegions(surface.regions, result, outputVector);
         // Numerics of the plane have no singularities in space; the irregular nodes are those.
         vtkPolyData* used = vtkPolyData::GetData(outputVector, 3);
         used->ShallowCopy(vtkPolyData::GetData(outputVector, 6));
@@ -150,13 +154,7 @@ int vtkQuadMesher::RequestData(
       }
       this->Warn(result);
       this->WriteOutputs(result, plane, outputVector);
-      if (regions)
-      {
-        RegionConversion::Write(*regions, result, vtkUnstructuredGrid::GetData(outputVector, 0),
-          vtkMultiBlockDataSet::GetData(outputVector, 1),
-          vtkPolyData::GetData(outputVector, BoundaryPort),
-          vtkTable::GetData(outputVector, SummaryPort)->GetFieldData());
-      }
+      this->WriteRegions(regions ? regions->values : RegionValues(), result, outputVector);
     },
     [&](const char* message)
     {
@@ -291,8 +289,6 @@ void vtkQuadMesher::RequireOptionsOfSurfaces(vtkInformationVector** inputVector)
     { !this->Curves.empty(), "curves of the boundary" },
     { !this->CornerRows.empty(), "rules for rows at corners" },
     { !this->Lines.empty() || !this->OpenLines.empty(), "lines inside" },
-    { !this->MaterialArray.empty() && this->MaterialArray != "none", "materials" },
-    { !this->SideNameArray.empty(), "names of sides" },
     { this->MeshSize > 0.0, "a mesh size" },
     { this->Merge == MergeClean, "fewer blocks by moving singularities" },
     { this->Prefer != PreferEnergy || this->Alternative != 0 || this->Pairs != 0 ||
@@ -307,6 +303,19 @@ void vtkQuadMesher::RequireOptionsOfSurfaces(vtkInformationVector** inputVector)
       throw crossfield::Error("Quads of a surface in space do not support " + std::string(what) +
         " yet; leave this option out.");
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::WriteRegions(const RegionValues& regions,
+  const crossfield::QuadWorkflowResult& result, vtkInformationVector* outputVector)
+{
+  if (!result.regions.empty())
+  {
+    RegionConversion::Write(regions, result, vtkUnstructuredGrid::GetData(outputVector, 0),
+      vtkMultiBlockDataSet::GetData(outputVector, 1),
+      vtkPolyData::GetData(outputVector, BoundaryPort),
+      vtkTable::GetData(outputVector, SummaryPort)->GetFieldData());
   }
 }
 

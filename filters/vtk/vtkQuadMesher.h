@@ -126,6 +126,7 @@
 class vtkDataSet;
 class vtkTable;
 class vtkUnstructuredGrid;
+struct RegionValues;
 namespace crossfield
 {
 class DomainPlane;
@@ -569,6 +570,9 @@ private:
   void Warn(const crossfield::QuadWorkflowResult& result);
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);
+  /** Writes the regions of quads, if there are any. */
+  static void WriteRegions(const RegionValues& regions,
+    const crossfield::QuadWorkflowResult& result, vtkInformationVector* outputVector);
   void WriteSummary(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkTable* summary) const;
 

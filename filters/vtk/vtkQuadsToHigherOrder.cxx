@@ -3,6 +3,7 @@
 #include "ColumnWriting.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "NamedSurface.h"
 #include "QuadBoundary.h"
 #include "QuadsOnSurface.h"
 #include "RaiseOrder.h"
@@ -138,7 +139,7 @@ int vtkQuadsToHigherOrder::RequestData(
       crossfield::NodePlacement placement;
       if (surface != nullptr && SurfaceConversion::IsSurface(surface))
       {
-        located.emplace(SurfaceConversion::ReadTriangles(surface), quads.points, CornersOf(quads));
+        located.emplace(NamedSurface::Read(surface).mesh, quads.points, CornersOf(quads));
         lines = located->FindLines(vtkMath::RadiansFromDegrees(this->FeatureAngle));
         placement = PlacementOn(*located, lines, quads);
       }

@@ -80,6 +80,8 @@ void BoundaryOptions::AddTo(CLI::App& command)
     ->type_name("NAME|N|largest");
   AddNames(command, "--drawing-layer", this->drawing.layers,
     "use the curves of this layer of a drawing only");
+  command.add_flag("--all-faces", this->drawing.allFaces,
+    "all faces of a .step or .brep model, as a surface in space; default: its largest planar face, if it has one");
   command
     .add_option("--thin-boundary", this->thinning,
       "remove boundary detail below this length, 0 for none; default: 0.02 of the target edge "

@@ -189,6 +189,7 @@ vtkSmartPointer<vtkAlgorithm> OpenDrawing(
   reader->SetLayers(ListText::Join(options.layers));
   reader->SetJoinTolerance(options.joinTolerance);
   reader->SetClosedCurvesAreRegions(options.closedCurvesAreRegions);
+  reader->SetAllFaces(options.allFaces);
   reader->SetLines(ListText::Join(options.lines));
   if (ending == ".step" || ending == ".stp" || ending == ".brep")
   {

@@ -23,6 +23,7 @@ struct DrawingOptions
   double joinTolerance = 0.0;
   std::vector<std::string> layers;
   bool closedCurvesAreRegions = false;
+  bool allFaces = false;
   std::vector<std::string> lines; ///< Those that no curve is called by are ignored.
 };
 

@@ -1,6 +1,7 @@
 """crossfield quads, check and separatrices with surfaces in space: formats, repairs, and broken files."""
 import json
 import math
+import pathlib
 import struct
 import unittest
 
@@ -88,6 +89,26 @@ def msh(points, triangles):
 
 
 WRITERS = {"stl": stl, "obj": obj, "off": off, "ply": ply, "vtk": vtk, "msh": msh}
+
+
+DOCS = pathlib.Path(__file__).parents[2] / "docs/surfaces"
+
+
+def named_msh():
+    """Returns a blown-up cube without its lower half as a .msh: its top is the group "lid", the rest "wall", and half of
+    the boundary is the group "rim" of lines."""
+    points, triangles = upper_half(*sphere())
+    is_lid = [all(points[v][2] > max(abs(points[v][0]), abs(points[v][1])) - 1e-9 for v in t) for t in triangles]
+    rim = [(t[i], t[(i + 1) % 3]) for t in triangles for i in range(3)
+           if all(abs(points[t[k % 3]][2]) < 1e-9 for k in (i, i + 1)) and
+           points[t[i]][0] + points[t[(i + 1) % 3]][0] > 1e-9]
+    elements = ["1 2 4 1 %d %d" % tuple(v + 1 for v in line) for line in rim] + [
+        "2 2 %d 1 %d %d %d" % (8 if lid else 6, *(v + 1 for v in t)) for lid, t in zip(is_lid, triangles)]
+    return ('$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 4 "rim"\n2 8 "lid"\n2 6 "wall"\n'
+            "$EndPhysicalNames\n$Nodes\n%d\n" % len(points) + "".join(
+                "%d %.17g %.17g %.17g\n" % (i + 1, *p) for i, p in enumerate(points)) +
+            "$EndNodes\n$Elements\n%d\n" % len(elements) + "".join(
+                "%d %s\n" % (i + 1, element) for i, element in enumerate(elements)) + "$EndElements\n")
 
 
 class Surfaces(ProgramTest):
@@ -186,7 +207,7 @@ class Surfaces(ProgramTest):
         self.assertEqual((report["quads"], report["blocks"], report["irregular"]), (600, 6, {"3": 8}))
         self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1)
         self.assertEqual([(side["name"], side["edges"]) for side in report["sides"]], [("features", 120)])
-        self.assertTrue(report["events"][0].startswith("Quads follow the sharp edges of the surface: 12 lines"))
+        self.assertTrue(report["events"][0].startswith("Quads follow the lines between faces of the surface: 12 lines"))
         self.succeed("quads", "cube.stl", "--quads", "600", "-o", "cube.inp")
         self.assertIn("*NSET, NSET=features", (self.folder / "cube.inp").read_text())
         check = json.loads(self.succeed("check", "cube.stl", "--json", "-"))
@@ -197,6 +218,42 @@ class Surfaces(ProgramTest):
         self.assertEqual(json.loads(over.stdout)["sides"], [])
         self.assertIn("The surface turns by more than 60 degrees within ", over.stderr)
         self.refuse("quads", "cube.stl", "-o", "q.vtu", "--feature-angle", "-1", says=["--feature-angle"])
+
+    def test_physical_groups(self):
+        (self.folder / "named.msh").write_text(named_msh())
+        report = json.loads(self.succeed("quads", "named.msh", "--quads", "500", "-o", "named.inp", "--json", "-"))
+        self.assertEqual({region["name"] for region in report["regions"]}, {"lid", "wall"})
+        self.assertEqual(sum(region["quads"] for region in report["regions"]), report["quads"])
+        self.assertEqual([one["name"] for one in report["interfaces"]], ["wall+lid"])
+        self.assertGreater(report["scaled_jacobian"]["min"], 0.5)
+        text = (self.folder / "named.inp").read_text()
+        for name in ("*ELEMENT, TYPE=S4, ELSET=lid", "*ELEMENT, TYPE=S4, ELSET=wall", "NSET=rim\n", "NSET=wall_lid\n",
+                     "NSET=outer0\n"):
+            self.assertIn(name, text)
+        # As one region, only the name of the boundary is left.
+        report = json.loads(self.succeed("quads", "named.msh", "--materials", "none", "--quads", "500", "-o", "named.inp",
+                                         "--json", "-"))
+        self.assertNotIn("regions", report)
+        self.assertIn("NSET=rim\n", (self.folder / "named.inp").read_text())
+        # Without singularities the wall, whose inner boundary has four corners of index -1, lacks some.
+        result = self.run_program("check", "named.msh")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"Face at \(.*\): .* whose corners have -4 needs 4; give")
+
+    def test_all_faces_of_a_model(self):
+        housing = str(DOCS / "housing.step")
+        if "without Open CASCADE" in self.run_program("quads", housing, "-o", "one.vtu").stderr:
+            self.skipTest("built without Open CASCADE")
+        report = json.loads(self.succeed("quads", housing, "--all-faces", "--quads", "1500", "-o", "housing.inp", "--json",
+                                         "-"))
+        self.assertEqual(report["irregular"], {"3": 8, "5": 8})
+        self.assertGreater(report["scaled_jacobian"]["min"], 0.65)
+        self.assertEqual(report["drawing"]["unit"], "mm")
+        self.assertEqual({region["name"] for region in report["regions"]},
+                         {"bore", "rounding", *("face%d" % i for i in (1, 2, 4, 5, 6, 7))})
+        text = (self.folder / "housing.inp").read_text()
+        for name in ("ELSET=bore\n", "ELSET=rounding\n", "NSET=seal\n", "NSET=rounding_face6\n"):
+            self.assertIn(name, text)
 
     def test_order_two_on_sharp_edges(self):
         def on_can(place):

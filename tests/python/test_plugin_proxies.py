@@ -25,7 +25,7 @@ PROXIES = {
         "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "PlanarDomainReader": ("sources", "FileName"),
-    "DrawingReader": ("sources", "FileName Layers JoinTolerance SamplingAngle"),
+    "DrawingReader": ("sources", "FileName Layers JoinTolerance AllFaces SamplingAngle"),
     "SingularitySource": ("sources", "Domain Singularities OutputRows FileName UseHandles Handles Plane"),
     "SingularityHandles": ("filters", "Input Domain Singularities OutputRows Plane"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),

@@ -302,6 +302,91 @@ TEST(QuadMesherSurfaces, FollowSharpEdges)
   EXPECT_EQ(proposal->GetOutput()->GetNumberOfPoints(), 8);
 }
 
+/**
+ * Returns the sphere with a line along the first edge of a cell, called `seam`, and regions 10, 11 and 12 of the
+ * sides across each axis.
+ */
+vtkSmartPointer<vtkPolyData> NamedSphere(vtkIdType from, vtkIdType to)
+{
+  auto sphere = BlownUpCube();
+  vtkNew<vtkIntArray> regions;
+  regions->SetName("Region");
+  vtkNew<vtkStringArray> sides;
+  sides->SetName("Side");
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ from, to });
+  regions->InsertNextValue(0);
+  sides->InsertNextValue("seam");
+  for (vtkIdType cell = 0; cell < sphere->GetNumberOfPolys(); ++cell)
+  {
+    regions->InsertNextValue(10 + static_cast<int>(cell / (2 * 8 * 8)));
+    sides->InsertNextValue("");
+  }
+  sphere->SetLines(lines);
+  sphere->GetCellData()->AddArray(regions);
+  sphere->GetCellData()->AddArray(sides);
+  return sphere;
+}
+
+TEST(QuadMesherSurfaces, KeepRegionsAndNamedLines)
+{
+  // The first edge of the first cell is on the edge of the cube between regions 10 and 12.
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(NamedSphere(0, 1));
+  mesher->SetQuadCount(600);
+  UpdateWithoutError(mesher);
+  EXPECT_EQ(CountFeatures(mesher), 0);
+  vtkUnstructuredGrid* quads = mesher->GetOutput();
+  vtkDataArray* region = RequireArray(quads->GetCellData(), "Region");
+  for (vtkIdType cell = 0; cell < quads->GetNumberOfCells(); ++cell)
+  {
+    double centre[3] = { 0.0, 0.0, 0.0 };
+    for (const vtkIdType point : { 0, 1, 2, 3 })
+    {
+      double place[3];
+      quads->GetPoint(quads->GetCell(cell)->GetPointId(static_cast<int>(point)), place);
+      for (int k = 0; k < 3; ++k)
+      {
+        centre[k] += std::abs(place[k]);
+      }
+    }
+    EXPECT_EQ(region->GetTuple1(cell),
+      10.0 + static_cast<double>(std::max_element(centre, centre + 3) - centre));
+  }
+  auto* boundary = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(5));
+  vtkDataArray* kinds = RequireArray(boundary->GetCellData(), "BoundaryKind");
+  vtkDataArray* left = RequireArray(boundary->GetCellData(), "RegionLeft");
+  vtkDataArray* right = RequireArray(boundary->GetCellData(), "RegionRight");
+  auto* sides = vtkStringArray::SafeDownCast(boundary->GetCellData()->GetAbstractArray("Side"));
+  ASSERT_NE(sides, nullptr);
+  std::map<std::string, int> edges;
+  for (vtkIdType line = 0; line < boundary->GetNumberOfCells(); ++line)
+  {
+    EXPECT_EQ(kinds->GetTuple1(line), 5.0);
+    EXPECT_LT(left->GetTuple1(line), right->GetTuple1(line));
+    ++edges[sides->GetValue(line)];
+  }
+  EXPECT_EQ(edges.size(), 4U);
+  EXPECT_GE(edges["seam"], 1);
+  for (const char* name : { "10+11", "10+12", "11+12" })
+  {
+    EXPECT_GE(edges[name], 36) << name;
+  }
+  CheckInputUntouched(mesher);
+  mesher->SetMaterialArray("none");
+  UpdateWithoutError(mesher);
+  EXPECT_EQ(mesher->GetOutput()->GetCellData()->GetArray("Region"), nullptr);
+  mesher->SetMaterialArray("Side");
+  mesher->SetSideNameArray("Names");
+  CaptureError(mesher, { "no cell array 'Names'" });
+  mesher->SetMaterialArray("Materials");
+  CaptureError(mesher, { "no cell array 'Materials'" });
+  mesher->SetMaterialArray("");
+  mesher->SetSideNameArray("");
+  mesher->SetInputData(NamedSphere(0, 40)); // across cells
+  CaptureError(mesher, { "The line 'seam' from (", "along no edge of the surface" });
+}
+
 TEST(QuadMesherSurfaces, HaveAProposal)
 {
   vtkNew<vtkConfigurationProposal> proposal;

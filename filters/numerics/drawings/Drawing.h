@@ -35,11 +35,20 @@ struct DrawingFace
   std::string material;
 };
 
+/// A named line along edges of a surface.
+struct SurfaceLine
+{
+  std::vector<int> points;
+  std::string name;
+};
+
 /// Polygons of a mesh that is a surface in space.
 struct DrawingSurface
 {
   std::vector<SpacePoint> points;
   std::vector<std::vector<int>> polygons; ///< Indices of points.
+  std::vector<std::string> regions;       ///< Per polygon; empty if there is one region.
+  std::vector<SurfaceLine> lines;
 };
 
 /// Contents of a drawing that a boundary can consist of.

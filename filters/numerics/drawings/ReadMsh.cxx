@@ -320,24 +320,46 @@ private:
     return group == 0 ? "" : found == this->Names.end() ? std::to_string(group) : found->second;
   }
 
+  std::string SurfaceNameOf(int group) const
+  {
+    const auto found = this->SurfaceNames.find(group);
+    return found == this->SurfaceNames.end() ? std::to_string(group) : found->second;
+  }
+
   bool HasMaterials() const { return this->UsedSurfaces.size() > 1; }
 
-  /// Returns the faces if they are a surface in space, else none.
+  /// Returns the faces, with their groups and named lines, if they are a surface in space, else none.
   DrawingSurface FindSurface() const
   {
     DrawingSurface surface;
     std::unordered_map<std::size_t, int> numbers;
-    for (const Face& face : this->Faces)
+    const auto numbersOf = [&](const std::vector<std::size_t>& nodes)
     {
-      surface.polygons.emplace_back();
-      for (const std::size_t node : face.nodes)
+      std::vector<int> points;
+      for (const std::size_t node : nodes)
       {
         const auto [found, isNew] = numbers.emplace(node, static_cast<int>(surface.points.size()));
         if (isNew)
         {
           surface.points.push_back(this->PlaceOf(node));
         }
-        surface.polygons.back().push_back(found->second);
+        points.push_back(found->second);
+      }
+      return points;
+    };
+    for (const Face& face : this->Faces)
+    {
+      surface.polygons.push_back(numbersOf(face.nodes));
+      if (this->HasMaterials())
+      {
+        surface.regions.push_back(this->SurfaceNameOf(face.group));
+      }
+    }
+    for (const Edge& edge : this->Edges)
+    {
+      if (edge.group != 0 && edge.faces > 0)
+      {
+        surface.lines.push_back({ numbersOf(edge.nodes), this->NameOf(edge.group) });
       }
     }
     Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(surface.points.size()));
@@ -406,9 +428,7 @@ private:
   {
     for (const Face& face : this->Faces)
     {
-      const auto name = this->SurfaceNames.find(face.group);
-      drawing.faces.push_back(
-        { {}, name == this->SurfaceNames.end() ? std::to_string(face.group) : name->second });
+      drawing.faces.push_back({ {}, this->SurfaceNameOf(face.group) });
       for (const std::size_t node : face.nodes)
       {
         drawing.faces.back().points.push_back(drawing.plane.ToPlane(this->PlaceOf(node)));

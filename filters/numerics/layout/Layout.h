@@ -8,6 +8,7 @@
 #include "TraceGraph.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace crossfield
@@ -25,11 +26,19 @@ struct Layout
   double traceSeconds = 0.0; ///< Time to trace the separatrices.
 };
 
+/// What the lines between the faces of a surface and its boundary are called.
+struct FaceSides
+{
+  std::vector<std::string> ofPairs;
+  std::vector<std::string> ofBoundary; ///< Per entry of mesh.boundary; empty without a given name.
+};
+
 /// The layouts of a domain, one per region, with the pairs of sides whose nodes match.
 struct LayoutSet
 {
   std::vector<Layout> regions;
   std::vector<PairedSides> pairs;
+  FaceSides sides; ///< Of a surface that consists of faces.
 
   LayoutSet() = default;
   /// Not explicit: a layout alone is such a set.

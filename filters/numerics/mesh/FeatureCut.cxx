@@ -59,6 +59,13 @@ private:
   {
     return this->Features.isFeature[Index(half.triangle)][Index(half.side)];
   }
+  /// Returns the number of the name of the line along an edge, −1 without one.
+  int NameOf(const Half& half) const
+  {
+    const auto on = [this](const Half& one)
+    { return this->Surface.LinesOf(Index(one.triangle))[Index(one.side)]; };
+    return this->BeyondOf(half) < 0 ? on(half) : std::max(on(half), on(this->TwinOf(half)));
+  }
   /// Returns the corner of a triangle at a point.
   int CornerAt(int triangle, int point) const
   {
@@ -120,10 +127,7 @@ private:
     std::map<int, double> areas;
     for (int t = 0; t < static_cast<int>(this->Face.size()); ++t)
     {
-      const SpacePoint& a = this->Surface.points[Index(this->PointAt(t, 0))];
-      areas[sets.Find(t)] += (this->Surface.points[Index(this->PointAt(t, 1))] - a)
-                               .cross(this->Surface.points[Index(this->PointAt(t, 2))] - a)
-                               .norm();
+      areas[sets.Find(t)] += AreaOf(this->Surface, Index(t));
     }
     std::vector<std::pair<int, double>> sorted(areas.begin(), areas.end());
     std::stable_sort(sorted.begin(), sorted.end(),
@@ -151,6 +155,16 @@ private:
       }
       mesh.triangles.push_back(triangle);
     }
+    this->Result.boundaryNames.resize(this->Result.faces.size());
+    this->ForHalves(
+      [&](const Half& half)
+      {
+        if (this->BeyondOf(half) < 0 && this->NameOf(half) >= 0)
+        {
+          this->Result.boundaryNames[Index(this->Face[Index(half.triangle)])].emplace(
+            this->FacePointAt(half.triangle, half.side), this->NameOf(half));
+        }
+      });
   }
 
   /// Finds the points of sharp edges that are nodes.
@@ -161,17 +175,39 @@ private:
       double angle = 0.0;
       FacePoint corner;
     };
-    std::map<int, int> sides; // number of sharp edges, per point of one
+    std::map<int, int> sides; // number of sharp edges, per point of one and where names change
+    std::map<int, std::set<int>> names; // of sharp edges, per point
+    std::map<int, std::set<int>> namesOfBoundary;
     std::set<int> onBoundary;
     this->ForHalves(
       [&](const Half& half)
       {
+        const std::array<int, 2> ends = { this->PointAt(half.triangle, half.side),
+          this->PointAt(half.triangle, half.side + 1) };
         if (this->IsFeature(half))
         {
-          ++sides[this->PointAt(half.triangle, half.side)];
-          sides.emplace(this->PointAt(half.triangle, half.side + 1), 0);
+          ++sides[ends[0]];
+          sides.emplace(ends[1], 0);
+        }
+        for (const int end : ends)
+        {
+          if (this->IsFeature(half))
+          {
+            names[end].insert(this->NameOf(half));
+          }
+          else if (this->BeyondOf(half) < 0)
+          {
+            namesOfBoundary[end].insert(this->NameOf(half));
+          }
         }
       });
+    for (const auto& [point, different] : namesOfBoundary)
+    {
+      if (different.size() > 1)
+      {
+        sides.emplace(point, 0);
+      }
+    }
     this->ForHalves(
       [&](const Half& half)
       {
@@ -207,7 +243,9 @@ private:
       const bool touches = onBoundary.count(point) > 0;
       const bool hasCorner = std::any_of(ofPoint.begin(), ofPoint.end(),
         [](const auto& entry) { return IsCorner(Pi - entry.second.angle); });
-      if (sides.at(point) == 2 && !touches && !hasCorner)
+      const auto found = names.find(point);
+      const bool changesName = found != names.end() && found->second.size() > 1;
+      if (sides.at(point) == 2 && !touches && !hasCorner && !changesName)
       {
         continue;
       }
@@ -248,6 +286,7 @@ private:
     FeatureLine first;
     FeatureLine second;
     first.faces = second.faces = line.faces;
+    first.name = second.name = line.name;
     FeatureNode node;
     for (const std::size_t side : { 0, 1 })
     {
@@ -266,6 +305,7 @@ private:
   void Follow(const Half& first, std::vector<std::array<bool, 3>>& isVisited)
   {
     FeatureLine line;
+    line.name = this->NameOf(first);
     const int start = this->PointAt(first.triangle, first.side);
     Half half = first;
     while (true)

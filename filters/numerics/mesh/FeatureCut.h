@@ -2,6 +2,8 @@
 
 #include "FeatureEdges.h"
 
+#include <map>
+
 namespace crossfield
 {
 /// A point of one face of a surface.
@@ -19,10 +21,11 @@ struct FeatureLine
   /// Its points in each, in its direction; the first one of a closed line is not repeated.
   std::array<std::vector<int>, 2> points;
   bool isClosed = false;
+  int name = -1; ///< SurfaceMesh::lines of its edges.
 };
 
-/// A point where lines end: other than two of them and of the boundary meet there, or a face has a corner; also the
-/// middle of a line that would return to its node.
+/// A point where lines end: other than two of them and of the boundary meet there, a face has a corner, or the name of
+/// a line or of the boundary changes; also the middle of a line that would return to its node.
 struct FeatureNode
 {
   bool isOnBoundary = false;
@@ -36,6 +39,8 @@ struct CutSurface
   std::vector<int> faceOf;        ///< Per triangle of the whole.
   std::vector<FeatureLine> lines;
   std::vector<FeatureNode> nodes;
+  /// Per face the names (SurfaceMesh::lines) of edges of the boundary of the whole, by the points where they start.
+  std::vector<std::map<int, int>> boundaryNames;
 };
 
 /// Cuts a connected, oriented manifold surface along its sharp edges (docs/method.md §22.12).

@@ -48,15 +48,16 @@ public:
     this->FindEdgesOfVertices();
     constexpr double Enough = 0.5; // a part has nearly all, a scan a tenth
     const double found = this->SharpLength();
-    const std::size_t closed = this->CloseGaps();
+    std::size_t closed = this->CloseGaps();
     std::size_t loose = this->RemoveLooseLines();
     if (this->SharpLength() < Enough * found)
     {
-      this->IsSharp.assign(this->Edges.size(), false);
-      this->Store(result);
+      this->IsSharp = this->IsGiven;
+      closed = loose = 0;
+      this->LooseNamed = 0;
+      this->RemoveLooseLines();
       result.events.emplace_back(
         "Most sharp edges of the surface are on lines that end, as in a scan, so none is followed.");
-      return result;
     }
     std::size_t joined = 0;
     for (std::size_t more = this->JoinSmallFaces(); more > 0; more = this->JoinSmallFaces())
@@ -75,14 +76,18 @@ public:
         (loose == 1 ? " sharp edge that ends inside of a face is not followed."
                     : " sharp edges of lines that end inside of a face are not followed."));
     }
+    if (this->LooseNamed > 0)
+    {
+      result.events.push_back(std::to_string(this->LooseNamed) +
+        (this->LooseNamed == 1
+            ? " edge of a named line that ends inside of a face is not followed."
+            : " edges of named lines that end inside of a face are not followed."));
+    }
     if (joined > 0)
     {
       result.events.push_back(std::to_string(joined) +
-        (joined == 1
-            ? " face between sharp edges, smaller than 1e-4 of the surface, was joined to "
-              "another one."
-            : " faces between sharp edges, smaller than 1e-4 of the surface, were joined to "
-              "others."));
+        (joined == 1 ? " face, smaller than 1e-4 of the surface, was joined to another one."
+                     : " faces, smaller than 1e-4 of the surface, were joined to others."));
     }
     this->Store(result);
     return result;
@@ -116,13 +121,13 @@ private:
     return (this->Surface.points[Index(to)] - this->Surface.points[Index(from)]).norm();
   }
 
-  /// Returns the length of all sharp edges.
+  /// Returns the length of all sharp edges that are not given.
   double SharpLength() const
   {
     double length = 0.0;
     for (std::size_t e = 0; e < this->Edges.size(); ++e)
     {
-      length += this->IsSharp[e] ? this->LengthOf(e) : 0.0;
+      length += this->IsSharp[e] && !this->IsGiven[e] ? this->LengthOf(e) : 0.0;
     }
     return length;
   }
@@ -149,7 +154,11 @@ private:
           const SpacePoint b = this->NormalOf(other);
           const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
           this->Edges.push_back({ ends, t, i, { other, back }, angle });
-          this->IsSharp.push_back(angle > this->Angle);
+          this->IsGiven.push_back(
+            this->Surface.RegionOf(Index(t)) != this->Surface.RegionOf(Index(other)) ||
+            this->Surface.LinesOf(Index(t))[Index(i)] >= 0 ||
+            this->Surface.LinesOf(Index(other))[Index(back)] >= 0);
+          this->IsSharp.push_back(angle > this->Angle || this->IsGiven.back());
         }
       }
     }
@@ -269,18 +278,19 @@ private:
     return {};
   }
 
-  /// Leaves out lines that end inside. Returns the number of their edges.
+  /// Leaves out lines that end inside. Returns the number of their edges but for given ones, which are counted.
   std::size_t RemoveLooseLines()
   {
     std::size_t removed = 0;
     for (int vertex = 0; vertex < static_cast<int>(this->EdgesAt.size()); ++vertex)
     {
-      for (int at = vertex; this->IsLooseEnd(at); ++removed)
+      for (int at = vertex; this->IsLooseEnd(at);)
       {
         const std::vector<std::size_t>& edges = this->EdgesAt[Index(at)];
         const std::size_t edge = *std::find_if(
           edges.begin(), edges.end(), [this](std::size_t e) { return this->IsSharp[e]; });
         this->IsSharp[edge] = false;
+        ++(this->IsGiven[edge] ? this->LooseNamed : removed);
         at = this->OtherEnd(edge, at);
       }
     }
@@ -386,6 +396,8 @@ private:
   const std::vector<std::array<int, 3>> Neighbours;
   std::vector<InnerEdge> Edges;
   std::vector<bool> IsSharp;
+  std::vector<bool> IsGiven;                     ///< Between two regions, or of a named line.
+  std::size_t LooseNamed = 0;                    ///< Edges of named lines that are left out.
   std::vector<bool> IsOnBoundary;                ///< Per point.
   std::vector<std::vector<std::size_t>> EdgesAt; ///< Per point.
 };

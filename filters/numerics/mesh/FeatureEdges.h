@@ -19,10 +19,11 @@ struct FeatureEdges
 };
 
 /// Finds the sharp edges of a connected, oriented manifold surface (docs/method.md §22.12): edges inside whose
-/// triangles' normals differ by more than an angle, in radians. A line of them that ends is continued across a
+/// triangles' normals differ by more than an angle, in radians, and, whatever their angle, those between two
+/// regions and of named lines. A line of them that ends is continued across a
 /// gap of at most four edges that are bent by at least half the angle, if the line is longer than the gap; other
 /// lines that end inside of the surface are left out, and all lines if less than half of the length remains, as
-/// on a scan. Faces smaller than 1e-4 of the surface are joined to the neighbour with which they share the
+/// on a scan; lines between regions and named ones stay. Faces smaller than 1e-4 of the surface are joined to the neighbour with which they share the
 /// longest line.
 FeatureEdges FindFeatureEdges(const SurfaceMesh& surface, double angle);
 

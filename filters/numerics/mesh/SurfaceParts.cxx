@@ -43,19 +43,39 @@ std::string CountedWere(std::size_t count, const std::string& what)
   return std::to_string(count) + " " + what + (count == 1 ? " was" : "s were");
 }
 
+/// Removes the triangles without points.
+void RemoveEmpty(SurfaceMesh& surface)
+{
+  SurfaceMesh kept;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (surface.triangles[t][0] >= 0)
+    {
+      kept.triangles.push_back(surface.triangles[t]);
+      kept.AppendLabels(surface, t);
+    }
+  }
+  kept.points = std::move(surface.points);
+  surface = std::move(kept);
+}
+
 /// Removes triangles with a point twice and those given before. Returns their number.
-std::size_t RemoveRepeated(std::vector<Triangle>& triangles)
+std::size_t RemoveRepeated(SurfaceMesh& surface)
 {
   std::set<Triangle> known;
-  const auto isRepeated = [&known](Triangle triangle)
+  std::size_t removed = 0;
+  for (Triangle& triangle : surface.triangles)
   {
-    std::sort(triangle.begin(), triangle.end());
-    return triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
-      !known.insert(triangle).second;
-  };
-  const std::size_t before = triangles.size();
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isRepeated), triangles.end());
-  return before - triangles.size();
+    Triangle sorted = triangle;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || !known.insert(sorted).second)
+    {
+      triangle = { -1, -1, -1 };
+      ++removed;
+    }
+  }
+  RemoveEmpty(surface);
+  return removed;
 }
 
 /// Removes flat triangles: the triangle beyond the longest side is divided at the point on this side.
@@ -95,10 +115,7 @@ public:
       flat.pop_back();
       this->Divide(t, flat);
     }
-    auto& triangles = this->Surface.triangles;
-    triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
-                      [](const Triangle& triangle) { return triangle[0] < 0; }),
-      triangles.end());
+    RemoveEmpty(this->Surface);
     return removed;
   }
 
@@ -173,6 +190,21 @@ private:
     }
     this->Surface.triangles[other] = { whole[at], middle, tip };
     this->Surface.triangles[t] = { middle, whole[(at + 1) % 3], tip };
+    if (!this->Surface.regions.empty())
+    {
+      this->Surface.regions[t] = this->Surface.regions[other];
+    }
+    if (!this->Surface.lines.empty())
+    {
+      // The divided side has its line, or those of the short sides, which were at the same place.
+      const Triangle ofWhole = this->Surface.lines[other];
+      const Triangle ofGone = this->Surface.lines[t];
+      const int along = std::max(ofWhole[at], ofGone[side]);
+      this->Surface.lines[other] = { std::max(along, ofGone[(side + 1) % 3]), -1,
+        ofWhole[(at + 2) % 3] };
+      this->Surface.lines[t] = { std::max(along, ofGone[(side + 2) % 3]), ofWhole[(at + 1) % 3],
+        -1 };
+    }
     for (const int half : { other, t })
     {
       this->Enter(half);
@@ -232,6 +264,10 @@ private:
   {
     std::swap(this->Surface.triangles[t][1], this->Surface.triangles[t][2]);
     std::swap(this->Beyond[t][0], this->Beyond[t][2]);
+    if (!this->Surface.lines.empty())
+    {
+      std::swap(this->Surface.lines[t][0], this->Surface.lines[t][2]);
+    }
   }
 
   /// Orients the triangles part by part. Returns the number of those turned over.
@@ -362,9 +398,7 @@ private:
     {
       const auto p = static_cast<std::size_t>(this->Part[t]);
       Triangle triangle = this->Surface.triangles[t];
-      const SpacePoint& a = this->Surface.points[triangle[0]];
-      areas[p] +=
-        (this->Surface.points[triangle[1]] - a).cross(this->Surface.points[triangle[2]] - a).norm();
+      areas[p] += AreaOf(this->Surface, t);
       for (int& vertex : triangle)
       {
         int& own = number[vertex];
@@ -376,6 +410,7 @@ private:
         vertex = own;
       }
       parts[p].triangles.push_back(triangle);
+      parts[p].AppendLabels(this->Surface, t);
     }
     std::vector<std::size_t> order(parts.size());
     for (std::size_t p = 0; p < order.size(); ++p)
@@ -435,6 +470,23 @@ std::vector<std::array<int, 3>> FindNeighbours(const SurfaceMesh& surface)
   return beyond;
 }
 
+double AreaOf(const SurfaceMesh& surface, std::size_t triangle)
+{
+  const Triangle& v = surface.triangles[triangle];
+  const SpacePoint& a = surface.points[v[0]];
+  return 0.5 * (surface.points[v[1]] - a).cross(surface.points[v[2]] - a).norm();
+}
+
+double AreaOf(const SurfaceMesh& surface)
+{
+  double area = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    area += AreaOf(surface, t);
+  }
+  return area;
+}
+
 bool IsFlat(const SurfaceMesh& surface, const Triangle& triangle)
 {
   constexpr double Flat = 1e-12;
@@ -446,7 +498,7 @@ bool IsFlat(const SurfaceMesh& surface, const Triangle& triangle)
 
 SurfaceParts FindSurfaceParts(SurfaceMesh surface)
 {
-  const std::size_t repeated = RemoveRepeated(surface.triangles);
+  const std::size_t repeated = RemoveRepeated(surface);
   const std::size_t flat = FlatTriangles(surface).Remove();
   if (surface.triangles.empty())
   {

@@ -96,9 +96,14 @@ private:
     return -1;
   }
 
-  void Set(int triangle, const std::array<int, 3>& points, const std::array<int, 3>& beyond)
+  void Set(int triangle, const std::array<int, 3>& points, const std::array<int, 3>& beyond,
+    const std::array<int, 3>& lines)
   {
     this->Mesh.triangles[Index(triangle)] = points;
+    if (!this->Mesh.lines.empty())
+    {
+      this->Mesh.lines[Index(triangle)] = lines;
+    }
     this->Beyond[Index(triangle)] = beyond;
     for (int side = 0; side < 3; ++side)
     {
@@ -135,11 +140,12 @@ private:
     const int beyondB = this->BeyondOf(t, side + 1);
     const int beyondC = this->BeyondOf(t, side + 2);
     const int o = this->BeyondOf(t, side);
-    const int second = this->Add();
+    const int second = this->Add(t);
+    const std::array<int, 3> lines = this->LinesFrom(t, side);
     if (o < 0)
     {
-      this->Set(second, { m, b, c }, { -1, beyondB, t });
-      this->Set(t, { a, m, c }, { -1, second, beyondC });
+      this->Set(second, { m, b, c }, { -1, beyondB, t }, { lines[0], lines[1], -1 });
+      this->Set(t, { a, m, c }, { -1, second, beyondC }, { lines[0], -1, lines[2] });
     }
     else
     {
@@ -147,11 +153,12 @@ private:
       const int d = this->PointOf(o, back + 2);
       const int beyondA = this->BeyondOf(o, back + 1);
       const int beyondD = this->BeyondOf(o, back + 2);
-      const int fourth = this->Add();
-      this->Set(second, { m, b, c }, { fourth, beyondB, t });
-      this->Set(fourth, { b, m, d }, { second, o, beyondD });
-      this->Set(t, { a, m, c }, { o, second, beyondC });
-      this->Set(o, { m, a, d }, { t, beyondA, fourth });
+      const int fourth = this->Add(o);
+      const std::array<int, 3> other = this->LinesFrom(o, back);
+      this->Set(second, { m, b, c }, { fourth, beyondB, t }, { lines[0], lines[1], -1 });
+      this->Set(fourth, { b, m, d }, { second, o, beyondD }, { other[0], -1, other[2] });
+      this->Set(t, { a, m, c }, { o, second, beyondC }, { lines[0], -1, lines[2] });
+      this->Set(o, { m, a, d }, { t, beyondA, fourth }, { other[0], other[1], -1 });
       this->Changed.emplace_back(o, 1);
       this->Changed.emplace_back(fourth, 2);
     }
@@ -159,10 +166,27 @@ private:
     this->Changed.emplace_back(second, 1);
   }
 
-  int Add()
+  /// Returns the lines along the sides of a triangle, from a side on.
+  std::array<int, 3> LinesFrom(int triangle, int side) const
+  {
+    std::array<int, 3> lines = this->Mesh.LinesOf(Index(triangle));
+    std::rotate(lines.begin(), lines.begin() + side, lines.end());
+    return lines;
+  }
+
+  /// Adds a triangle with the region of another.
+  int Add(int like)
   {
     this->Mesh.triangles.push_back({ -1, -1, -1 });
     this->Beyond.push_back({ -1, -1, -1 });
+    if (!this->Mesh.regions.empty())
+    {
+      this->Mesh.regions.push_back(this->Mesh.RegionOf(Index(like)));
+    }
+    if (!this->Mesh.lines.empty())
+    {
+      this->Mesh.lines.push_back({ -1, -1, -1 });
+    }
     return static_cast<int>(this->Mesh.triangles.size()) - 1;
   }
 
@@ -171,11 +195,21 @@ private:
     return std::atan2((b - a).cross(c - a).norm(), (b - a).dot(c - a));
   }
 
+  /// Returns whether a side is along a line, or between two regions.
+  bool IsOnLine(int t, int side) const
+  {
+    const int o = this->BeyondOf(t, side);
+    const int back = this->SideOf(o, this->PointOf(t, side + 1), this->PointOf(t, side));
+    return this->Mesh.RegionOf(Index(t)) != this->Mesh.RegionOf(Index(o)) ||
+      this->Mesh.LinesOf(Index(t))[Index(side)] >= 0 ||
+      this->Mesh.LinesOf(Index(o))[Index(back)] >= 0;
+  }
+
   /// Returns whether the other diagonal of the two triangles at a side is better, and in their plane.
   bool ShouldFlip(int t, int side) const
   {
     const int o = this->BeyondOf(t, side);
-    if (o < 0)
+    if (o < 0 || this->IsOnLine(t, side))
     {
       return false;
     }
@@ -214,8 +248,10 @@ private:
       const int d = this->PointOf(o, back + 2);
       const std::array<int, 4> outer = { this->BeyondOf(t, side + 2), this->BeyondOf(o, back + 1),
         this->BeyondOf(o, back + 2), this->BeyondOf(t, side + 1) };
-      this->Set(t, { c, a, d }, { outer[0], outer[1], o });
-      this->Set(o, { d, b, c }, { outer[2], outer[3], t });
+      const std::array<int, 3> lines = this->LinesFrom(t, side);
+      const std::array<int, 3> other = this->LinesFrom(o, back);
+      this->Set(t, { c, a, d }, { outer[0], outer[1], o }, { lines[2], other[1], -1 });
+      this->Set(o, { d, b, c }, { outer[2], outer[3], t }, { other[2], lines[1], -1 });
       for (const int triangle : { t, o })
       {
         this->Changed.emplace_back(triangle, 0);

@@ -2,6 +2,8 @@
 
 #include "Index.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -25,9 +27,9 @@ std::vector<InterfaceMeasure> MeasureInterfaces(const QuadMesh& mesh)
   }
   const auto areaOf = [&mesh](int quad)
   {
-    const auto at = [&](std::size_t corner)
-    { return mesh.points[Index(mesh.quads[Index(quad)][corner])].InPlane(); };
-    return 0.5 * std::abs(Cross(at(2) - at(0), at(3) - at(1)));
+    const auto at = [&](std::size_t corner) -> const SpacePoint&
+    { return mesh.points[Index(mesh.quads[Index(quad)][corner])].place; };
+    return 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
   };
   std::map<int, std::vector<double>> ratios;
   const std::vector<int> twins = mesh.Twins();

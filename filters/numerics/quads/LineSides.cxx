@@ -2,7 +2,9 @@
 
 #include "Index.h"
 #include "SparseCholesky.h"
+#include "UnionFind.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -62,33 +64,33 @@ std::vector<CountSum> SumsOfPairs(
   return sums;
 }
 
-UnionFind JoinArcs(const TMesh& mesh)
+std::vector<int> FacesOfArcs(const MeshTopology& topology, const TMesh& mesh)
 {
-  UnionFind faces(mesh.arcs.size());
-  for (const TPatch& patch : mesh.patches)
+  UnionFind vertices(Index(topology.VertexCount()));
+  for (const std::array<int, 2>& ends : topology.edges.vertices)
   {
-    const int first = patch.sides[0].front() / 2;
-    for (const std::vector<int>& side : patch.sides)
-    {
-      for (const int half : side)
-      {
-        faces.Join(half / 2, first);
-      }
-    }
+    vertices.Join(ends[0], ends[1]);
+  }
+  std::map<int, int> number; // of sets
+  for (const std::array<int, 3>& triangle : topology.mesh.triangles)
+  {
+    number.emplace(vertices.Find(triangle[0]), static_cast<int>(number.size()));
+  }
+  std::vector<int> faces;
+  for (const TArc& arc : mesh.arcs)
+  {
+    const auto& triangle = topology.mesh.triangles[Index(arc.pieces.front().triangle)];
+    faces.push_back(number.at(vertices.Find(triangle[0])));
   }
   return faces;
 }
 
-void MatchFaces(const TMesh& mesh, const std::vector<CountSum>& sums, std::vector<double>& lengths)
+void MatchFaces(const TMesh& mesh, const std::vector<int>& faceOfArc,
+  const std::vector<CountSum>& sums, std::vector<double>& lengths)
 {
-  UnionFind arcs = JoinArcs(mesh);
-  std::map<int, int> number; // of faces
-  for (int a = 0; a < static_cast<int>(mesh.arcs.size()); ++a)
-  {
-    number.emplace(arcs.Find(a), static_cast<int>(number.size()));
-  }
-  const auto faceOf = [&](int arc) { return number.at(arcs.Find(arc)); };
-  const auto count = static_cast<Eigen::Index>(number.size());
+  const auto faceOf = [&](int arc) { return faceOfArc[Index(arc)]; };
+  const auto count =
+    static_cast<Eigen::Index>(*std::max_element(faceOfArc.begin(), faceOfArc.end()) + 1);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(count);
   for (const TPatch& patch : mesh.patches)
   {

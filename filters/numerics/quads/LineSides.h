@@ -4,13 +4,12 @@
 #include "PairedSides.h"
 #include "QuantisationProblem.h"
 #include "TMesh.h"
-#include "UnionFind.h"
 
 #include <vector>
 
 namespace crossfield
 {
-// The two sides of lines of sharp edges on a surface: pairs with spans, whose sides have numbers 2 i and 2 i + 1.
+// The two sides of lines between faces of a surface: pairs with spans, whose sides have numbers 2 i and 2 i + 1.
 
 /// Returns the side of each arc of a T-mesh, −1 if it is on none of a pair.
 std::vector<int> SidesOfArcs(
@@ -20,11 +19,12 @@ std::vector<int> SidesOfArcs(
 std::vector<CountSum> SumsOfPairs(
   const std::vector<PairedSides>& pairs, const std::vector<int>& sideOfArc);
 
-/// Returns the arcs of each face as a set.
-UnionFind JoinArcs(const TMesh& mesh);
+/// Returns the face of each arc: the connected parts of a surface, in the order of their first triangles.
+std::vector<int> FacesOfArcs(const MeshTopology& topology, const TMesh& mesh);
 
 /// Multiplies the lengths of the arcs of each face by a constant, so that lengths of lines in both of their faces agree as
 /// well as possible, and the area stays (docs/method.md §22.12): the constants c minimise
 /// Σ ℓ (log ℓ_left + log c_left − log ℓ_right − log c_right)² over the lines, ℓ the mean of both lengths.
-void MatchFaces(const TMesh& mesh, const std::vector<CountSum>& sums, std::vector<double>& lengths);
+void MatchFaces(const TMesh& mesh, const std::vector<int>& faceOfArc,
+  const std::vector<CountSum>& sums, std::vector<double>& lengths);
 }

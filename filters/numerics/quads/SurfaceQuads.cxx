@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -61,12 +63,22 @@ std::vector<std::size_t> FindRepeatedEdges(const TMesh& mesh, const std::vector<
   return repeated;
 }
 
-/// Names the edges of the boundary, which follow each other along every loop and are before those of lines: a
-/// side ends at a corner.
+/// Names the edges of the boundary without a side, which follow each other along every loop and are before those of
+/// lines: a side ends at a corner and at a given side.
 void NameSides(QuadMesh& mesh)
 {
   const auto isCorner = [&mesh](const QuadBoundaryEdge& edge)
   { return mesh.points[edge.points[0]].quarterIndex != 0; };
+  const std::set<std::string> given(mesh.sideNames.begin(), mesh.sideNames.end());
+  const auto nameSide = [&](const std::string& start, int& number)
+  {
+    std::string name;
+    do
+    {
+      name = start + std::to_string(number++);
+    } while (given.count(name) > 0);
+    mesh.sideNames.push_back(name);
+  };
   int outer = 0;
   int hole = 0;
   const auto last = std::find_if(mesh.boundary.begin(), mesh.boundary.end(),
@@ -75,16 +87,25 @@ void NameSides(QuadMesh& mesh)
   {
     const auto end = std::find_if(
       begin, last, [begin](const QuadBoundaryEdge& edge) { return edge.id != begin->id; });
-    const auto first = std::find_if(begin, end, isCorner);
+    int before = std::prev(end)->side;
+    const auto first = std::find_if(begin, end,
+      [&](const QuadBoundaryEdge& edge)
+      { return isCorner(edge) || std::exchange(before, edge.side) != edge.side; });
     std::rotate(begin, first == end ? begin : first, end);
+    bool startsSide = true;
     for (auto edge = begin; edge != end; ++edge)
     {
-      if (edge == begin || isCorner(*edge))
+      if (edge->side >= 0)
+      {
+        startsSide = true;
+        continue;
+      }
+      if (startsSide || isCorner(*edge))
       {
         const bool isOuter = edge->kind == BoundaryKind::Outer;
-        mesh.sideNames.push_back(
-          isOuter ? "outer" + std::to_string(outer++) : "hole" + std::to_string(hole++));
+        nameSide(isOuter ? "outer" : "hole", isOuter ? outer : hole);
       }
+      startsSide = false;
       edge->side = static_cast<int>(mesh.sideNames.size()) - 1;
     }
     begin = end;
@@ -100,6 +121,7 @@ public:
     , Options(options)
     , Separatrices(layouts.Single().tMesh)
     , Pairs(layouts.pairs)
+    , Sides(layouts.sides)
     , Loops(*this->Map.topology, this->Separatrices)
     , Curves(*this->Map.topology)
     , Surface(*this->Map.topology)
@@ -110,7 +132,8 @@ public:
   {
     if (!this->Pairs.empty())
     {
-      MatchFaces(this->Separatrices, this->Sums, this->Lengths);
+      MatchFaces(this->Separatrices, FacesOfArcs(*this->Map.topology, this->Separatrices),
+        this->Sums, this->Lengths);
     }
   }
 
@@ -140,6 +163,12 @@ public:
           [this](const QuadResult& draft) { return this->Draft(draft); },
           [this](QuadResult& candidate, const Progress& part) { this->Build(candidate, part); } },
         this->Area, result, progress.Part(0.7, 1.0));
+    }
+    const std::vector<int> faceOfArc = FacesOfArcs(*this->Map.topology, result.tMesh);
+    for (const int patch : result.mesh.patch)
+    {
+      result.face.push_back(
+        faceOfArc[Index(result.tMesh.patches[Index(patch)].sides[0].front() / 2)]);
     }
     if (!this->Pairs.empty())
     {
@@ -246,20 +275,40 @@ private:
     const std::vector<int>& counts = result.counts.counts;
     QuadMesh mesh = BuildQuads(this->Map, this->Curves, result.tMesh, counts,
       EqualSpacing(result.tMesh, counts), result.size);
+    for (const std::string& name : this->Sides.ofPairs)
+    {
+      mesh.sideNames.insert(mesh.sideNames.end(), 2, name);
+    }
+    std::map<std::string, int> given; // names of the boundary
+    std::size_t edge = 0;             // edges are those of arcs, one after the other
+    for (std::size_t a = 0; a < counts.size(); ++a)
+    {
+      const TArc& arc = result.tMesh.arcs[a];
+      if (!arc.onBoundary)
+      {
+        continue;
+      }
+      int side = this->SideOfArc[a];
+      const std::string& name = this->NameOf(arc);
+      if (!name.empty())
+      {
+        const auto [found, isNew] = given.emplace(name, static_cast<int>(mesh.sideNames.size()));
+        side = found->second;
+        if (isNew)
+        {
+          mesh.sideNames.push_back(name);
+        }
+      }
+      for (int i = 0; i < counts[a]; ++i)
+      {
+        mesh.boundary[edge++].side = side;
+      }
+    }
     if (this->Pairs.empty())
     {
       NameSides(mesh);
       return mesh;
     }
-    std::size_t edge = 0; // edges are those of arcs, one after the other
-    for (std::size_t a = 0; a < counts.size(); ++a)
-    {
-      for (int i = 0; result.tMesh.arcs[a].onBoundary && i < counts[a]; ++i)
-      {
-        mesh.boundary[edge++].side = this->SideOfArc[a];
-      }
-    }
-    mesh.sideNames.assign(2 * this->Pairs.size(), "features");
     mesh.periodic = this->Pairs;
     FindPairs(this->Curves, mesh);
     MatchPairs(this->Curves, mesh);
@@ -268,18 +317,21 @@ private:
     return mesh;
   }
 
+  /// Returns the given name of an arc on the boundary, empty if it has none.
+  const std::string& NameOf(const TArc& arc) const
+  {
+    static const std::string none;
+    return this->Sides.ofBoundary.empty()
+      ? none
+      : this->Sides.ofBoundary[Index(arc.pieces.front().position)];
+  }
+
   /// Makes one mesh of those of the faces.
   void Weld(QuadResult& result) const
   {
-    std::vector<int> faces;
-    UnionFind arcs = JoinArcs(result.tMesh);
-    for (const int patch : result.mesh.patch)
-    {
-      faces.push_back(arcs.Find(result.tMesh.patches[Index(patch)].sides[0].front() / 2));
-    }
     WeldRegions(result.mesh);
     NameSides(result.mesh);
-    result.blocks = FindBlocks(result.mesh, faces);
+    result.blocks = FindBlocks(result.mesh, result.face);
     result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
     const std::optional<SurfaceQuality> onSurface = result.quality.surface;
     const double bound = result.quality.bound; // with the angles of faces at nodes
@@ -320,6 +372,7 @@ private:
   const SurfaceQuadOptions& Options;
   const TMesh& Separatrices;
   const std::vector<PairedSides>& Pairs;
+  const FaceSides& Sides;
   const SmoothLoops Loops;
   const MeshBoundary Curves;
   const SurfaceWalk Surface;

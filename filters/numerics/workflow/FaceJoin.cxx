@@ -5,13 +5,31 @@
 #include "MeshBoundary.h"
 #include "TMeshSplit.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 namespace crossfield
 {
-LayoutSet JoinFaces(const SurfaceBody& body, const std::vector<Layout>& layouts)
+namespace
+{
+/// Returns the name of the side that a line becomes: its own, `A+B` between two regions, else `features`.
+std::string SideOf(const FeatureLine& line, const SurfaceBody& body, const SurfaceNames& names)
+{
+  if (line.name >= 0)
+  {
+    return names.lines[Index(line.name)];
+  }
+  const auto [one, other] =
+    std::minmax(body.regionOf[Index(line.faces[0])], body.regionOf[Index(line.faces[1])]);
+  return one == other ? "features" : names.regions[Index(one)] + "+" + names.regions[Index(other)];
+}
+}
+
+LayoutSet JoinFaces(
+  const SurfaceBody& body, const SurfaceNames& names, const std::vector<Layout>& layouts)
 {
   Layout joined = JoinLayouts(layouts).layout;
   const MeshTopology& topology = *joined.map.topology;
@@ -43,6 +61,7 @@ LayoutSet JoinFaces(const SurfaceBody& body, const std::vector<Layout>& layouts)
       isClosed ? loop : length - loop * std::floor(length / loop) };
   };
   std::vector<PairedSides> pairs;
+  FaceSides sides;
   for (const FeatureLine& line : body.lines)
   {
     PairedSides pair;
@@ -50,15 +69,31 @@ LayoutSet JoinFaces(const SurfaceBody& body, const std::vector<Layout>& layouts)
     pair.second = pair.first + 1;
     const std::vector<int>& left = line.points[0];
     const std::vector<int>& right = line.points[1];
-    pair.name = "The sharp edge at " +
+    pair.name = "The line between faces at " +
       DescribeInSpace(curves.PlaceAt(placeIn(line.faces[0], left[left.size() / 2])));
     pair.isClosed = line.isClosed;
     pair.isInterface = true;
     // The face on the right has the line on its left in the opposite direction.
-    pair.spans = { spanOf(line.faces[0], left.front(), left.back(), line.isClosed),
+    std::array<SideSpan, 2> spans = { spanOf(
+                                        line.faces[0], left.front(), left.back(), line.isClosed),
       spanOf(line.faces[1], line.isClosed ? right.front() : right.back(), right.front(),
         line.isClosed) };
+    if (body.regionOf[Index(line.faces[0])] > body.regionOf[Index(line.faces[1])])
+    {
+      std::swap(spans[0], spans[1]);
+    }
+    pair.spans = spans;
     pairs.push_back(std::move(pair));
+    sides.ofPairs.push_back(SideOf(line, body, names));
+  }
+  sides.ofBoundary.resize(topology.mesh.boundary.size());
+  for (std::size_t f = 0; f < body.faces.size(); ++f)
+  {
+    for (const auto& [point, name] : body.boundaryNames[f])
+    {
+      sides.ofBoundary[Index(curves.PositionAt(placeIn(static_cast<int>(f), point)))] =
+        names.lines[Index(name)];
+    }
   }
   std::vector<int> nodes;
   for (const FeatureNode& node : body.nodes)
@@ -69,6 +104,8 @@ LayoutSet JoinFaces(const SurfaceBody& body, const std::vector<Layout>& layouts)
     }
   }
   SplitBoundaryArcs(joined.map, nodes, joined.tMesh);
-  return LayoutSet(std::move(joined), std::move(pairs));
+  LayoutSet set(std::move(joined), std::move(pairs));
+  set.sides = std::move(sides);
+  return set;
 }
 }

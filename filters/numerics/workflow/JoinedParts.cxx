@@ -152,6 +152,7 @@ public:
           side = sides[static_cast<std::size_t>(side)];
         }
       });
+    this->AddRegions(from);
     this->AddReports(from, part.rows, prefix);
     this->Loops += part.loops;
     ++this->Parts;
@@ -236,6 +237,15 @@ private:
           Shift(nodes[1], points);
         }
       });
+  }
+
+  void AddRegions(const QuadWorkflowResult& from)
+  {
+    QuadWorkflowResult& to = this->Result;
+    const std::size_t regions = to.regions.size();
+    to.materials = from.materials;
+    Append(to.regions, from.regions);
+    Append(to.region, from.region, [&](int& region) { Shift(region, regions); });
   }
 
   void AddReports(

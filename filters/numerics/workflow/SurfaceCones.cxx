@@ -48,6 +48,25 @@ int EulerCharacteristicOf(const SurfaceMesh& surface)
     static_cast<int>(surface.triangles.size());
 }
 
+/// Returns for each face the region that has the largest part of its area.
+std::vector<int> RegionsOfFaces(const SurfaceMesh& surface, const CutSurface& cut)
+{
+  std::vector<std::map<int, double>> areas(cut.faces.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    areas[Index(cut.faceOf[t])][surface.RegionOf(t)] += AreaOf(surface, t);
+  }
+  std::vector<int> regions;
+  for (const std::map<int, double>& ofFace : areas)
+  {
+    regions.push_back(std::max_element(ofFace.begin(), ofFace.end(),
+      [](const auto& x, const auto& y) {
+        return x.second < y.second;
+      })->first);
+  }
+  return regions;
+}
+
 /// Returns the distance of a place from the lines of a cut surface.
 double DistanceFromLines(const CutSurface& cut, const SpacePoint& place)
 {
@@ -120,7 +139,7 @@ public:
     if (DistanceFromLines(this->Cut, point.place) <= BoundaryReach * this->Box.diagonal().norm())
     {
       this->Events[face].push_back(
-        what + " is on a sharp edge, where the angles of faces determine it.");
+        what + " is on a line between faces, whose angles determine it.");
       return;
     }
     const auto placed = this->Placements[face].Place(point);
@@ -246,6 +265,13 @@ void AddNumbers(const ConedSurface& part, SurfaceCheck& check)
 }
 }
 
+bool SurfaceBody::IsWhole() const
+{
+  return this->lines.empty() && this->nodes.empty() &&
+    std::all_of(this->boundaryNames.begin(), this->boundaryNames.end(),
+      [](const std::map<int, int>& names) { return names.empty(); });
+}
+
 int ConedSurface::RequiredQuarters() const
 {
   return 4 * this->topology->edges.EulerCharacteristic(this->topology->mesh) -
@@ -308,15 +334,17 @@ SurfaceBody PlaceCones(const FeaturedPart& part)
   SurfaceBody body;
   body.eulerCharacteristic = EulerCharacteristicOf(part.surface);
   CutSurface cut;
-  if (part.features.count == 0)
+  if (part.features.count == 0 && part.surface.lines.empty())
   {
     cut.faces.push_back(part.surface);
     cut.faceOf.assign(part.surface.triangles.size(), 0);
+    cut.boundaryNames.resize(1);
   }
   else
   {
     cut = CutAlongFeatures(part.surface, part.features);
   }
+  body.regionOf = RegionsOfFaces(part.surface, cut);
   SingularityPlacement placement(cut);
   for (std::size_t i = 0; i < part.singularities.size(); ++i)
   {
@@ -331,6 +359,7 @@ SurfaceBody PlaceCones(const FeaturedPart& part)
   body.faceOf = std::move(cut.faceOf);
   body.lines = std::move(cut.lines);
   body.nodes = std::move(cut.nodes);
+  body.boundaryNames = std::move(cut.boundaryNames);
   AddCorners(body);
   return body;
 }

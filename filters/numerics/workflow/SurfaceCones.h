@@ -4,6 +4,7 @@
 #include "SeamlessMap.h"
 #include "SurfaceMesh.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,10 +62,15 @@ struct SurfaceBody
 {
   std::vector<ConedSurface> faces; ///< The largest area first; one if there are no sharp edges.
   std::vector<int> faceOf;         ///< Per triangle of the part.
+  std::vector<int> regionOf;       ///< Per face: that of the largest part of its area.
   std::vector<FeatureLine> lines;  ///< Points are vertices of the topologies of faces.
   std::vector<FeatureNode> nodes;
-  int eulerCharacteristic = 0; ///< Before it was cut.
+  std::vector<std::map<int, int>> boundaryNames; ///< As in CutSurface.
+  int eulerCharacteristic = 0;                   ///< Before it was cut.
   double area = 0.0;
+
+  /// Returns whether it is one face without lines, nodes and names of sides.
+  bool IsWhole() const;
 };
 
 /// Cuts a part along its sharp edges, and places each singularity on a vertex of the nearest face; corners of a

@@ -2,6 +2,8 @@
 
 #include "Error.h"
 #include "FaceJoin.h"
+#include "Index.h"
+#include "InterfaceMeasures.h"
 #include "JoinedParts.h"
 #include "OptimizerReport.h"
 #include "QuadAdvice.h"
@@ -17,7 +19,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -56,8 +60,10 @@ Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSecon
 class BodyMesher
 {
 public:
-  BodyMesher(FeaturedPart& part, bool chooses, bool joinsAll, const SurfaceQuadOptions& options)
+  BodyMesher(FeaturedPart& part, const SurfaceNames& names, bool chooses, bool joinsAll,
+    const SurfaceQuadOptions& options)
     : Part(part)
+    , Names(names)
     , Chooses(chooses)
     , JoinsAll(joinsAll)
     , Options(options)
@@ -112,8 +118,8 @@ private:
       done = end;
       if (layouts.size() == this->Body.faces.size())
       {
-        return this->Body.lines.empty() ? LayoutSet(std::move(layouts.front()))
-                                        : JoinFaces(this->Body, layouts);
+        return this->Body.IsWhole() ? LayoutSet(std::move(layouts.front()))
+                                    : JoinFaces(this->Body, this->Names, layouts);
       }
       this->Joined += static_cast<int>(this->Body.faces.size() - layouts.size());
       MergeFaces(this->Part.surface, this->Body.faceOf, this->Fails, this->Part.features);
@@ -187,16 +193,52 @@ private:
       result.blocks.coarse = static_cast<int>(result.quads.blocks.blocks.size());
     }
     this->Describe(result);
+    this->AddRegions(result);
     std::set<int> loops;
     for (const QuadBoundaryEdge& edge : result.quads.mesh.boundary)
     {
-      if (edge.kind != BoundaryKind::Feature)
+      if (edge.kind != BoundaryKind::Feature && edge.kind != BoundaryKind::Interface)
       {
         loops.insert(edge.id);
       }
     }
     made.loops = loops.size();
     return made;
+  }
+
+  /// Adds the regions: one for each face.
+  void AddRegions(QuadWorkflowResult& result) const
+  {
+    if (this->Names.regions.empty())
+    {
+      return;
+    }
+    result.materials = this->Names.regions;
+    for (std::size_t f = 0; f < this->Body.faces.size(); ++f)
+    {
+      const ConedSurface& face = this->Body.faces[f];
+      result.regions.push_back(
+        { this->Body.regionOf[f], face.RequiredQuarters(), face.GivenQuarters(), 0 });
+    }
+    result.region = result.quads.face;
+    std::map<std::array<int, 2>, int> regionAt; // on the left of each side of a quad
+    for (std::size_t q = 0; q < result.region.size(); ++q)
+    {
+      RegionReport& region = result.regions[Index(result.region[q])];
+      ++region.quads;
+      const std::array<int, 4>& points = result.quads.mesh.quads[q];
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        regionAt[{ points[c], points[(c + 1) % 4] }] = region.material;
+      }
+    }
+    for (QuadBoundaryEdge& edge : result.quads.mesh.boundary)
+    {
+      const auto& [from, to] = edge.points;
+      const bool isInterface = edge.kind == BoundaryKind::Feature &&
+        regionAt.at({ from, to }) != regionAt.at({ to, from });
+      edge.kind = isInterface ? BoundaryKind::Interface : edge.kind;
+    }
   }
 
   /// Adds events and warnings.
@@ -206,9 +248,9 @@ private:
     { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); };
     if (!this->Body.lines.empty())
     {
-      result.events.push_back(
-        "Quads follow the sharp edges of the surface: " + counted(this->Body.lines.size(), "line") +
-        " between " + counted(this->Body.faces.size(), "face") + ".");
+      result.events.push_back("Quads follow the lines between faces of the surface: " +
+        counted(this->Body.lines.size(), "line") + " between " +
+        counted(this->Body.faces.size(), "face") + ".");
     }
     if (this->WithoutPairs)
     {
@@ -219,8 +261,7 @@ private:
     if (this->Joined > 0)
     {
       result.events.push_back(counted(static_cast<std::size_t>(this->Joined), "face") +
-        " between sharp edges could not be meshed and " + (this->Joined == 1 ? "was" : "were") +
-        " joined to others.");
+        " could not be meshed and " + (this->Joined == 1 ? "was" : "were") + " joined to others.");
     }
     for (const ConedSurface& face : this->Body.faces)
     {
@@ -240,6 +281,7 @@ private:
   }
 
   FeaturedPart& Part;
+  const SurfaceNames& Names;
   const bool Chooses;  ///< Whether singularities are chosen.
   const bool JoinsAll; ///< Whether faces of any size may be joined.
   const SurfaceQuadOptions Options;
@@ -249,17 +291,6 @@ private:
   bool WithoutPairs = false; ///< Whether opposite singularities of a face are left out in pairs.
   QuadSeconds Seconds;
 };
-
-double AreaOf(const SurfaceMesh& surface)
-{
-  double area = 0.0;
-  for (const std::array<int, 3>& v : surface.triangles)
-  {
-    const SpacePoint& a = surface.points[v[0]];
-    area += 0.5 * (surface.points[v[1]] - a).cross(surface.points[v[2]] - a).norm();
-  }
-  return area;
-}
 
 /// Makes quads with the triangles of a surface as they are.
 QuadWorkflowResult MakeQuadsOfTriangles(const SurfaceMesh& surface, const SurfaceRequest& request,
@@ -283,11 +314,12 @@ QuadWorkflowResult MakeQuadsOfTriangles(const SurfaceMesh& surface, const Surfac
       const auto count = static_cast<int>(std::max(1.0, std::round(share * request.quadCount)));
       const double begin = done;
       done = std::min(1.0, done + share);
-      return BodyMesher(found.parts[p], !request.singularities, joinsAll,
+      return BodyMesher(found.parts[p], request.names, !request.singularities, joinsAll,
         { request.quadSize, count, request.hold, true, request.coarse })
         .Run(progress.Part(begin, done));
     });
   result.seconds.mesh = partSeconds;
+  result.interfaces = MeasureInterfaces(result.quads.mesh);
   result.events.insert(result.events.begin(), found.events.begin(), found.events.end());
   return result;
 }
@@ -301,9 +333,11 @@ SurfaceMesh RefinedParts(const SurfaceMesh& surface, double length)
     const SurfaceMesh refined = Refined(std::move(part), length);
     const auto first = static_cast<int>(all.points.size());
     all.points.insert(all.points.end(), refined.points.begin(), refined.points.end());
-    for (const std::array<int, 3>& v : refined.triangles)
+    for (std::size_t t = 0; t < refined.triangles.size(); ++t)
     {
+      const std::array<int, 3>& v = refined.triangles[t];
       all.triangles.push_back({ first + v[0], first + v[1], first + v[2] });
+      all.AppendLabels(refined, t);
     }
   }
   return all;

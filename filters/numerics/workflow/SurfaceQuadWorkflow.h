@@ -18,11 +18,13 @@ struct SurfaceRequest
   bool coarse = false; ///< SurfaceQuadOptions::coarse.
   /// Edges whose triangles' normals differ by more, in radians, are lines of quads.
   double featureAngle = DefaultFeatureAngle;
+  SurfaceNames names = {}; ///< Of its regions and lines, which are lines of quads as well.
 };
 
 /// Makes quads of a surface in space with the given singularities, each in the nearest face, or with chosen ones
 /// (docs/method.md §22.6, §22.11, §22.12). Parts share the number of quads by their areas. Of the result, what
-/// concerns positions in a plane is empty; singularities are the irregular nodes.
+/// concerns positions in a plane is empty; singularities are the irregular nodes. With names of regions, `regions`
+/// has one entry for each face.
 ///
 /// If that needs smaller triangles, those of the surface are divided into four, twice at most and to 200,000 at most.
 ///

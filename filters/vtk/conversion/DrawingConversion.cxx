@@ -17,6 +17,17 @@
 
 namespace names = vtkCrossFieldArrayNames;
 
+namespace
+{
+void WriteUnit(const crossfield::Drawing& drawing, vtkPolyData* output)
+{
+  if (!drawing.unit.empty())
+  {
+    ColumnWriting::AddText(output->GetFieldData(), names::DrawingUnit, drawing.unit);
+  }
+}
+}
+
 namespace DrawingConversion
 {
 //------------------------------------------------------------------------------
@@ -70,10 +81,7 @@ void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingO
   {
     CurveConversion::AddCurves(curves, output);
   }
-  if (!drawing.unit.empty())
-  {
-    ColumnWriting::AddText(output->GetFieldData(), names::DrawingUnit, drawing.unit);
-  }
+  WriteUnit(drawing, output);
   ColumnWriting::AddNumbers(output->GetFieldData(), names::LargestGap, { outline.largestGap });
 }
 
@@ -132,24 +140,51 @@ void WriteFaces(const crossfield::Drawing& drawing, const std::vector<crossfield
 }
 
 //------------------------------------------------------------------------------
-void WriteSurface(const crossfield::DrawingSurface& surface, vtkPolyData* output)
+void WriteSurface(const crossfield::Drawing& drawing, vtkPolyData* output)
 {
+  const crossfield::DrawingSurface& surface = drawing.surface;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const crossfield::SpacePoint& point : surface.points)
   {
     points->InsertNextPoint(point.data());
   }
+  vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> polygons;
+  const auto insert = [](vtkCellArray* cells, const std::vector<int>& ids)
+  {
+    cells->InsertNextCell(static_cast<int>(ids.size()));
+    for (const int point : ids)
+    {
+      cells->InsertCellPoint(point);
+    }
+  };
+  std::vector<std::string> sides; // of lines, then of polygons
+  for (const crossfield::SurfaceLine& line : surface.lines)
+  {
+    insert(lines, line.points);
+    sides.push_back(line.name);
+  }
   for (const std::vector<int>& polygon : surface.polygons)
   {
-    polygons->InsertNextCell(static_cast<int>(polygon.size()));
-    for (const int point : polygon)
-    {
-      polygons->InsertCellPoint(point);
-    }
+    insert(polygons, polygon);
   }
   output->SetPoints(points);
+  output->SetLines(lines);
   output->SetPolys(polygons);
+  const auto text = [](const std::string& value) { return value; };
+  if (!surface.regions.empty())
+  {
+    std::vector<std::string> materials(surface.lines.size());
+    materials.insert(materials.end(), surface.regions.begin(), surface.regions.end());
+    ColumnWriting::AddColumn<vtkStringArray>(
+      output->GetCellData(), names::Material, materials, text);
+  }
+  if (!surface.lines.empty())
+  {
+    sides.resize(surface.lines.size() + surface.polygons.size());
+    ColumnWriting::AddColumn<vtkStringArray>(output->GetCellData(), names::Side, sides, text);
+  }
+  WriteUnit(drawing, output);
 }
 }

@@ -23,8 +23,11 @@ void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingO
 void WriteFaces(const crossfield::Drawing& drawing, const std::vector<crossfield::DrawnLine>& inner,
   vtkPolyData* output);
 
-/** Writes the polygons of a surface in space. */
-void WriteSurface(const crossfield::DrawingSurface& surface, vtkPolyData* output);
+/**
+ * Writes the polygons of a surface in space, with the cell array `Material` (string) if it has several regions, and
+ * its lines with the array `Side` (string) if it has any, and the unit.
+ */
+void WriteSurface(const crossfield::Drawing& drawing, vtkPolyData* output);
 }
 
 #endif

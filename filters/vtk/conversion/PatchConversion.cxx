@@ -1,6 +1,7 @@
 #include "PatchConversion.h"
 
 #include "ColumnWriting.h"
+#include "Index.h"
 #include "PolygonTriangulation.h"
 #include "TMesh.h"
 #include "vtkCrossFieldArrayNames.h"

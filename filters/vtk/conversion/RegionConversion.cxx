@@ -15,32 +15,12 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
-/** Returns the index of the value of each cell, and sets the different values in the order of their first cells. */
-template <class Value, class ValueOf>
-std::vector<int> NumberValues(
-  const std::vector<vtkIdType>& cells, const ValueOf& valueOf, std::vector<Value>& values)
-{
-  std::map<Value, int> numbers;
-  std::vector<int> result;
-  for (const vtkIdType cell : cells)
-  {
-    const auto [found, isNew] = numbers.emplace(valueOf(cell), static_cast<int>(values.size()));
-    if (isNew)
-    {
-      values.push_back(found->first);
-    }
-    result.push_back(found->second);
-  }
-  return result;
-}
-
 /** Reads the materials of surface cells, and sets the plane and the values of regions. */
 crossfield::MaterialCells ReadCells(
   vtkDataSet* input, const std::string& array, RegionConversion::Regions& regions)
@@ -61,35 +41,9 @@ crossfield::MaterialCells ReadCells(
     cells.cells.emplace_back(corners->begin(), corners->end());
     ids.push_back(static_cast<vtkIdType>(original->GetTuple1(cell)));
   }
-  vtkAbstractArray* materials = input->GetCellData()->GetAbstractArray(array.c_str());
-  if (auto* texts = vtkStringArray::SafeDownCast(materials))
-  {
-    regions.areNamed = true;
-    cells.materials = NumberValues(
-      ids, [texts](vtkIdType cell) { return std::string(texts->GetValue(cell)); }, cells.names);
-    regions.values.resize(cells.names.size());
-    std::iota(regions.values.begin(), regions.values.end(), 0);
-  }
-  else
-  {
-    auto* numbers = vtkDataArray::SafeDownCast(materials);
-    const auto valueOf = [numbers](vtkIdType cell)
-    { return static_cast<int>(numbers->GetTuple1(cell)); };
-    // Regions are in the order of the values.
-    std::sort(ids.begin(), ids.end(),
-      [&](vtkIdType a, vtkIdType b)
-      { return std::pair(valueOf(a), a) < std::pair(valueOf(b), b); });
-    NumberValues(ids, valueOf, regions.values);
-    for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
-    {
-      const int value = valueOf(static_cast<vtkIdType>(original->GetTuple1(cell)));
-      cells.materials.push_back(
-        static_cast<int>(std::lower_bound(regions.values.begin(), regions.values.end(), value) -
-          regions.values.begin()));
-    }
-    std::transform(regions.values.begin(), regions.values.end(), std::back_inserter(cells.names),
-      [](int value) { return std::to_string(value); });
-  }
+  regions.values = RegionValues::Read(input, array, ids);
+  cells.materials = regions.values.ofCell;
+  cells.names = regions.values.names;
   return cells;
 }
 }
@@ -129,8 +83,8 @@ Regions Read(
       edges.insert(edges.end(), more.begin(), more.end());
     }
     cells.names = { "domain" };
-    regions.values = { 0 };
-    regions.areNamed = true;
+    regions.values.values = { 0 };
+    regions.values.areNamed = true;
   }
   if (!lines.names.empty())
   {
@@ -156,13 +110,13 @@ void WriteCounts(const std::vector<crossfield::RegionReport>& regions,
 }
 
 //------------------------------------------------------------------------------
-void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
+void Write(const RegionValues& regions, const crossfield::QuadWorkflowResult& result,
   vtkUnstructuredGrid* quads, vtkMultiBlockDataSet* blocks, vtkPolyData* boundary,
   vtkFieldData* report)
 {
   const auto valueOf = [&](int region)
   {
-    const auto material = regions.set.regions[static_cast<std::size_t>(region)].material;
+    const int material = result.regions[static_cast<std::size_t>(region)].material;
     return regions.values[static_cast<std::size_t>(material)];
   };
   ColumnWriting::AddColumn<vtkIntArray>(
@@ -202,8 +156,8 @@ void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
     [&](const QuadBoundaryEdge& edge) { return find(edge.points[1], edge.points[0]); });
   if (regions.areNamed)
   {
-    ColumnWriting::AddColumn<vtkStringArray>(report, names::RegionName, regions.set.materials,
-      [](const std::string& name) { return name; });
+    ColumnWriting::AddColumn<vtkStringArray>(
+      report, names::RegionName, result.materials, [](const std::string& name) { return name; });
   }
   WriteCounts(result.regions, result.materials, report);
   ColumnWriting::AddColumn<vtkIntArray>(report, names::RegionQuads, result.regions,

@@ -5,6 +5,7 @@
 #include "LineConversion.h"
 #include "QuadRequest.h"
 #include "RegionSet.h"
+#include "RegionValues.h"
 
 #include <string>
 #include <vector>
@@ -21,8 +22,7 @@ struct Regions
 {
   crossfield::RegionSet set;
   crossfield::DomainPlane plane;
-  std::vector<int> values; ///< Value of each material in the array `Region`.
-  bool areNamed = false;   ///< Whether materials are strings.
+  RegionValues values; ///< Of materials.
 
   /** Returns the domains of the regions. */
   std::vector<DomainConversion::Domain> Domains() const;
@@ -52,7 +52,7 @@ void WriteCounts(const std::vector<crossfield::RegionReport>& regions,
  * interface `InterfaceName` (string), `InterfaceEdges` (int) and `InterfaceSizeRatio` (double, the largest ratio of the
  * areas of the two quads at an edge, and the median).
  */
-void Write(const Regions& regions, const crossfield::QuadWorkflowResult& result,
+void Write(const RegionValues& regions, const crossfield::QuadWorkflowResult& result,
   vtkUnstructuredGrid* quads, vtkMultiBlockDataSet* blocks, vtkPolyData* boundary,
   vtkFieldData* report);
 }

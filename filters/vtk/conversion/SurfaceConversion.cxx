@@ -18,6 +18,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -69,7 +70,7 @@ bool IsSurface(vtkDataSet* input)
 }
 
 //------------------------------------------------------------------------------
-crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input)
+crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input, std::vector<vtkIdType>* cells)
 {
   vtkNew<vtkTriangleFilter> divide;
   divide->SetInputData(DomainConversion::ReadSurface(input));
@@ -89,6 +90,14 @@ crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input)
       surface.triangles.push_back(
         { used.IndexOf(points[0]), used.IndexOf(points[1]), used.IndexOf(points[2]) });
     });
+  if (cells != nullptr)
+  {
+    vtkDataArray* original = triangles->GetCellData()->GetArray("vtkOriginalCellIds");
+    for (vtkIdType t = 0; t < triangles->GetNumberOfPolys(); ++t)
+    {
+      cells->push_back(static_cast<vtkIdType>(original->GetTuple1(t)));
+    }
+  }
   return surface;
 }
 
@@ -122,10 +131,10 @@ std::vector<crossfield::SurfaceSingularity> ReadSingularities(vtkDataSet* input)
 }
 
 //------------------------------------------------------------------------------
-crossfield::ConedSurfaces Read(vtkDataSet* input, vtkDataSet* singularities, double featureAngle)
+crossfield::ConedSurfaces Read(vtkDataSet* input, vtkDataSet* singularities)
 {
   return crossfield::PlaceCones(
-    ReadTriangles(input), ReadSingularities(singularities), featureAngle);
+    ReadTriangles(input), ReadSingularities(singularities), vtkMath::Pi());
 }
 
 //------------------------------------------------------------------------------

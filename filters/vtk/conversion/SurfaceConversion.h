@@ -5,7 +5,7 @@
 #include "SurfaceIndices.h"
 #include "SurfaceQuadWorkflow.h"
 
-#include "vtkMath.h"
+#include "vtkType.h"
 
 #include <memory>
 #include <vector>
@@ -22,13 +22,12 @@ bool IsSurface(vtkDataSet* input);
 
 /**
  * Reads the triangles of a surface, whose points are merged as in DomainConversion::ReadDomain. Strips, quadrilaterals
- * and polygons are divided.
+ * and polygons are divided. `cells` receives the cell of each triangle.
  */
-crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input);
+crossfield::SurfaceMesh ReadTriangles(vtkDataSet* input, std::vector<vtkIdType>* cells = nullptr);
 
-/** Reads the parts of a surface, cut along edges sharper than an angle in radians, with singularities at vertices. */
-crossfield::ConedSurfaces Read(
-  vtkDataSet* input, vtkDataSet* singularities, double featureAngle = vtkMath::Pi());
+/** Reads the parts of a surface, with singularities at vertices, that no line divides. */
+crossfield::ConedSurfaces Read(vtkDataSet* input, vtkDataSet* singularities);
 
 /** Returns the only part of a surface without sharp edges whose quarter indices add up. */
 const crossfield::ConedSurface& Single(const crossfield::ConedSurfaces& surfaces);

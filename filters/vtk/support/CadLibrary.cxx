@@ -2,7 +2,6 @@
 
 #include "Error.h"
 #include "OwnLibrary.h"
-#include "ReadCad.h"
 
 namespace
 {
@@ -30,7 +29,7 @@ bool IsAvailable()
 }
 
 //------------------------------------------------------------------------------
-crossfield::Drawing Read(const std::string& file)
+crossfield::Drawing Read(const std::string& file, const CadRequest& request)
 {
   ReadCadFunction* const read = Load();
   if (read == nullptr)
@@ -41,7 +40,7 @@ crossfield::Drawing Read(const std::string& file)
   }
   crossfield::Drawing drawing;
   std::string error;
-  read(file, drawing, error);
+  read(file, request, drawing, error);
   if (!error.empty())
   {
     throw crossfield::Error(error);

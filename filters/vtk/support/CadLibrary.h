@@ -1,7 +1,7 @@
 #ifndef CadLibrary_h
 #define CadLibrary_h
 
-#include "Drawing.h"
+#include "ReadCad.h"
 
 #include <string>
 
@@ -17,11 +17,8 @@ bool IsCad(const std::string& ending);
 /** Returns whether models can be read. */
 bool IsAvailable();
 
-/**
- * Reads the largest planar face of a model. Throws crossfield::Error if there is none or if models
- * cannot be read.
- */
-crossfield::Drawing Read(const std::string& file);
+/** Reads a model as crossfieldReadCad does. Throws crossfield::Error if that fails or if models cannot be read. */
+crossfield::Drawing Read(const std::string& file, const CadRequest& request);
 }
 
 #endif

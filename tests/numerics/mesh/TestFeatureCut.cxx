@@ -4,6 +4,7 @@
 #include "Surfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -198,6 +199,95 @@ TEST(FeatureCut, MergesFaces)
   EXPECT_EQ(merged.faces.size(), 5u);
   EXPECT_EQ(merged.lines.size(), 11u);
   EXPECT_EQ(merged.nodes.size(), 8u); // two of them are corners of the new face alone
+}
+
+/// The can with its wall as region 1 and half of each circle, from x = 0 to x = 0, as line 3.
+SurfaceMesh NamedCan()
+{
+  SurfaceMesh can = Can(8);
+  for (const auto& v : can.triangles)
+  {
+    SpacePoint centre = SpacePoint::Zero();
+    std::array<int, 3> lines{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const SpacePoint& from = can.points[static_cast<std::size_t>(v[i])];
+      const SpacePoint& to = can.points[static_cast<std::size_t>(v[(i + 1) % 3])];
+      centre += from / 3.0;
+      const auto isOn = [](const SpacePoint& point)
+      { return std::abs(point.z()) > 1.0 - 1e-12 && point.head<2>().norm() > 1.0 - 1e-12; };
+      lines[i] = isOn(from) && isOn(to) && from.x() + to.x() > 0.0 ? 3 : -1;
+    }
+    can.regions.push_back(std::abs(centre.z()) < 1.0 - 1e-9 ? 1 : 0);
+    can.lines.push_back(lines);
+  }
+  return can;
+}
+
+TEST(FeatureCut, DividesRegionsAndFollowsNamedLines)
+{
+  const SurfaceMesh can = NamedCan();
+  // No edge is as sharp as 100°.
+  const FeatureEdges features = FindFeatureEdges(can, 100.0 * Pi / 180.0);
+  EXPECT_TRUE(features.events.empty());
+  const CutSurface cut = CutAlongFeatures(can, features);
+  EXPECT_EQ(cut.faces.size(), 3u);
+  EXPECT_EQ(cut.nodes.size(), 4u); // where names change
+  ASSERT_EQ(cut.lines.size(), 4u);
+  EXPECT_EQ(std::count_if(cut.lines.begin(), cut.lines.end(),
+              [](const FeatureLine& line) { return line.name == 3; }),
+    2);
+  for (const FeatureLine& line : cut.lines)
+  {
+    EXPECT_FALSE(line.isClosed);
+    EXPECT_EQ(line.points[0].size(), 17u);
+  }
+  ExpectLinesOf(cut);
+}
+
+TEST(FeatureCut, NamesTheBoundary)
+{
+  // Of the hemisphere, half of the boundary has a name.
+  SurfaceMesh half = Hemisphere(8);
+  half.lines.assign(half.triangles.size(), { -1, -1, -1 });
+  std::size_t named = 0;
+  for (std::size_t t = 0; t < half.triangles.size(); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const SpacePoint& from = half.points[static_cast<std::size_t>(half.triangles[t][i])];
+      const SpacePoint& to = half.points[static_cast<std::size_t>(half.triangles[t][(i + 1) % 3])];
+      if (std::abs(from.z()) + std::abs(to.z()) < 1e-12 && from.x() + to.x() > 0.0)
+      {
+        half.lines[t][i] = 0;
+        ++named;
+      }
+    }
+  }
+  const CutSurface cut = CutOf(half);
+  ASSERT_EQ(cut.faces.size(), 1u);
+  EXPECT_TRUE(cut.lines.empty());
+  ASSERT_EQ(cut.nodes.size(), 2u);
+  for (const FeatureNode& node : cut.nodes)
+  {
+    EXPECT_TRUE(node.isOnBoundary);
+    ASSERT_EQ(node.corners.size(), 1u);
+    const auto point = static_cast<std::size_t>(node.corners.front().point);
+    EXPECT_NEAR(cut.faces.front().points[point].x(), 0.0, 1e-12);
+  }
+  ASSERT_EQ(cut.boundaryNames.size(), 1u);
+  EXPECT_EQ(cut.boundaryNames.front().size(), named);
+}
+
+TEST(FeatureCut, LeavesOutNamedLinesThatEndInside)
+{
+  SurfaceMesh sphere = CubedSphere(4);
+  sphere.lines.assign(sphere.triangles.size(), { -1, -1, -1 });
+  sphere.lines.front()[0] = 0;
+  const FeatureEdges features = FindFeatureEdges(sphere, DefaultFeatureAngle);
+  EXPECT_EQ(features.count, 0u);
+  ASSERT_EQ(features.events.size(), 1u);
+  EXPECT_NE(features.events.front().find("1 edge of a named line"), std::string::npos);
 }
 }
 }

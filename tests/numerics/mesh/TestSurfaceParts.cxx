@@ -4,6 +4,9 @@
 #include "Surfaces.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <string>
 
 namespace crossfield::test
 {
@@ -195,6 +198,45 @@ TEST(SurfaceParts, RefuseWhatIsNoSurface)
   none.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } };
   none.triangles = { { 0, 1, 2 } };
   EXPECT_TRUE(Refuses([&] { FindSurfaceParts(none); }, { "no triangle with an area" }));
+}
+
+TEST(SurfaceParts, KeepRegionsAndLines)
+{
+  // A square whose lower half ends with a triangle without an area, beyond which the upper half is one triangle; the
+  // line between them leads along its longest side. The triangle above is given twice, the one below turned over.
+  SurfaceMesh square;
+  square.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 },
+    { 1.0, -1.0, 0.0 } };
+  square.triangles = { { 0, 2, 3 }, { 0, 1, 2 }, { 2, 3, 0 }, { 1, 0, 4 }, { 4, 2, 1 } };
+  square.regions = { 1, 0, 1, 2, 2 };
+  square.lines = { { 3, -1, 4 }, { -1, -1, -1 }, { -1, -1, -1 }, { -1, 5, -1 }, { -1, -1, -1 } };
+  const SurfaceParts found = Found(square);
+  ASSERT_EQ(found.parts.size(), 1u);
+  const SurfaceMesh& part = found.parts.front();
+  ASSERT_EQ(part.triangles.size(), 4u);
+  ASSERT_EQ(part.regions.size(), 4u);
+  ASSERT_EQ(part.lines.size(), 4u);
+  EXPECT_EQ(std::count(part.regions.begin(), part.regions.end(), 1), 2);
+  EXPECT_EQ(std::count(part.regions.begin(), part.regions.end(), 2), 2);
+  std::map<std::string, int> lineAt; // by the middles of edges
+  for (std::size_t t = 0; t < 4; ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const SpacePoint middle = 0.5 *
+        (part.points[static_cast<std::size_t>(part.triangles[t][i])] +
+          part.points[static_cast<std::size_t>(part.triangles[t][(i + 1) % 3])]);
+      int& line = lineAt.emplace(DescribeInSpace(middle), -1).first->second;
+      line = std::max(line, part.lines[t][i]);
+    }
+  }
+  const auto at = [&](double x, double y) { return lineAt.at(DescribeInSpace({ x, y, 0.0 })); };
+  EXPECT_EQ(at(0.5, 0.0), 3);
+  EXPECT_EQ(at(1.5, 0.0), 3);
+  EXPECT_EQ(at(0.5, 0.5), 4);
+  EXPECT_EQ(at(1.5, 0.5), -1);
+  EXPECT_EQ(at(0.5, -0.5), 5);
+  EXPECT_EQ(at(1.0, 0.5), -1);
 }
 }
 }

@@ -72,5 +72,33 @@ TEST(SurfaceRefinement, KeepsCurvedSurfaces)
   const SurfaceTopology topology(refined);
   EXPECT_EQ(topology.edges.EulerCharacteristic(topology.mesh), 2);
 }
+
+TEST(SurfaceRefinement, KeepsRegionsAndLines)
+{
+  // A square of four triangles; the left one is region 5, and a line leads along the lower side and one diagonal.
+  SurfaceMesh square;
+  square.points = { { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 0.0 },
+    { 0.3, 0.4, 0.0 } };
+  square.triangles = { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } };
+  square.regions = { 0, 0, 0, 5 };
+  square.lines = { { 7, -1, -1 }, { -1, 7, -1 }, { -1, -1, -1 }, { -1, -1, -1 } };
+  const SurfaceMesh refined = Refined(square, 0.05);
+  ASSERT_EQ(refined.regions.size(), refined.triangles.size());
+  ASSERT_EQ(refined.lines.size(), refined.triangles.size());
+  double area = 0.0;
+  double length = 0.0;
+  for (std::size_t t = 0; t < refined.triangles.size(); ++t)
+  {
+    const auto at = [&](std::size_t corner) -> const SpacePoint&
+    { return refined.points[static_cast<std::size_t>(refined.triangles[t][corner % 3])]; };
+    area += refined.regions[t] == 5 ? 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm() : 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      length += refined.lines[t][i] == 7 ? (at(i + 1) - at(i)).norm() : 0.0;
+    }
+  }
+  EXPECT_NEAR(area, 0.5 * 0.3, 1e-12);
+  EXPECT_NEAR(length, 1.0 + std::hypot(0.7, 0.6), 1e-12);
+}
 }
 }

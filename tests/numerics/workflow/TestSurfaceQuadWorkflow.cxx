@@ -4,7 +4,10 @@
 #include "Surfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace crossfield::test
 {
@@ -124,8 +127,8 @@ TEST(SurfaceQuadWorkflow, DividesCoarseTriangles)
   EXPECT_EQ(result.quads.mesh.quads.size(), 600u);
   EXPECT_EQ(result.quads.blocks.blocks.size(), 6u);
   ASSERT_EQ(result.events.size(), 2u);
-  EXPECT_EQ(
-    result.events[0], "Quads follow the sharp edges of the surface: 12 lines between 6 faces.");
+  EXPECT_EQ(result.events[0],
+    "Quads follow the lines between faces of the surface: 12 lines between 6 faces.");
   EXPECT_NE(result.events[1].find("until their sides were at most 0.1 long"), std::string::npos);
 }
 
@@ -167,7 +170,7 @@ TEST(SurfaceQuadWorkflow, FollowsSharpEdges)
   EXPECT_NEAR(LengthOfFeatures(mesh, isOn, off), 2 * 12 + 2 * 4 + 8 * 1, 1e-9);
   EXPECT_EQ(off, 0);
   EXPECT_EQ(result.events.front(),
-    "Quads follow the sharp edges of the surface: 24 lines between 10 faces.");
+    "Quads follow the lines between faces of the surface: 24 lines between 10 faces.");
   // Blocks end at the lines.
   for (const SpacePoint& normal : mesh.normals)
   {
@@ -250,7 +253,7 @@ TEST(SurfaceQuadWorkflow, LeavesOutPairsIfNumbersOfEdgesContradict)
       { SpacePoint(radius * std::cos(angle), radius * std::sin(angle), 0.0), i % 2 == 0 ? -1 : 1 });
   }
   EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(part, request); },
-    { "No numbers of edges fit the faces", "one with the sharp edge at (", "FeatureAngle" },
+    { "No numbers of edges fit the faces", "one with the line between faces at (", "FeatureAngle" },
     Error::Kind::Inconsistent));
 }
 
@@ -266,7 +269,8 @@ TEST(SurfaceQuadWorkflow, LeavesSingularitiesOnSharpEdgesToTheirAngles)
   const QuadWorkflowResult result = MakeQuadsOfSurface(CubeOfTwelve(), request);
   EXPECT_EQ(result.quads.mesh.quads.size(), 600u);
   const auto told = std::count_if(result.events.begin(), result.events.end(),
-    [](const std::string& event) { return event.find("is on a sharp edge") != std::string::npos; });
+    [](const std::string& event)
+    { return event.find("is on a line between faces") != std::string::npos; });
   EXPECT_EQ(told, 8);
   // One on a face needs others there.
   request.singularities = { { SpacePoint(0.5, 0.5, 1.0), 1 } };
@@ -353,6 +357,77 @@ TEST(SurfaceQuadWorkflow, ChecksWithoutQuads)
   const SurfaceCheck torus = CheckSurface(PlaceCones(Torus(2.5, 30, 12), {}));
   EXPECT_TRUE(torus.consistent);
   EXPECT_EQ(torus.holonomyDefect.size(), 2u);
+}
+
+TEST(SurfaceQuadWorkflow, FollowsRegionsAndNamedLines)
+{
+  // A hemisphere whose cap is a region of its own, with half of its boundary and a part of the circle around the cap
+  // named.
+  SurfaceMesh half = Hemisphere(16);
+  SurfaceRequest request;
+  request.quadCount = 800;
+  request.names = { { "shell", "cap" }, { "rim", "weld" } };
+  const auto isCap = [&](const std::array<int, 3>& v)
+  {
+    SpacePoint centre = SpacePoint::Zero();
+    for (const int vertex : v)
+    {
+      centre += half.points[static_cast<std::size_t>(vertex)] / 3.0;
+    }
+    return centre.z() > std::max(std::abs(centre.x()), std::abs(centre.y()));
+  };
+  for (const auto& v : half.triangles)
+  {
+    half.regions.push_back(isCap(v) ? 1 : 0);
+    std::array<int, 3> lines{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const SpacePoint& a = half.points[static_cast<std::size_t>(v[i])];
+      const SpacePoint& b = half.points[static_cast<std::size_t>(v[(i + 1) % 3])];
+      const auto isWeld = [](const SpacePoint& point)
+      { return std::abs(point.z() - point.x()) < 1e-9; };
+      const bool isRim = std::abs(a.z()) + std::abs(b.z()) < 1e-12 && a.x() + b.x() > 0.0;
+      lines[i] = isRim ? 0 : isCap(v) && isWeld(a) && isWeld(b) ? 1 : -1;
+    }
+    half.lines.push_back(lines);
+  }
+  const QuadWorkflowResult result = MakeQuadsOfSurface(half, request);
+  EXPECT_TRUE(result.warnings.empty());
+  const QuadMesh& mesh = result.quads.mesh;
+  EXPECT_EQ(mesh.EulerCharacteristic(), 1);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.5);
+  EXPECT_EQ(result.materials, request.names.regions);
+  ASSERT_EQ(result.regions.size(), 2u);
+  ASSERT_EQ(result.region.size(), mesh.quads.size());
+  EXPECT_EQ(result.regions[0].quads + result.regions[1].quads, mesh.quads.size());
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  {
+    SpacePoint centre = SpacePoint::Zero();
+    for (const int point : mesh.quads[q])
+    {
+      centre += 0.25 * mesh.points[static_cast<std::size_t>(point)].place;
+    }
+    const RegionReport& region = result.regions[static_cast<std::size_t>(result.region[q])];
+    EXPECT_EQ(
+      region.material, centre.z() > std::max(std::abs(centre.x()), std::abs(centre.y())) ? 1 : 0);
+  }
+  std::map<std::string, double> lengths;
+  for (const QuadBoundaryEdge& edge : mesh.boundary)
+  {
+    const std::string& name = mesh.sideNames[static_cast<std::size_t>(edge.side)];
+    lengths[name] += (mesh.points[static_cast<std::size_t>(edge.points[0])].place -
+      mesh.points[static_cast<std::size_t>(edge.points[1])].place)
+                       .norm();
+    const bool isInside = name == "weld" || name == "shell+cap";
+    EXPECT_EQ(edge.kind, isInside ? BoundaryKind::Interface : BoundaryKind::Outer) << name;
+  }
+  ASSERT_EQ(lengths.size(), 4u);
+  EXPECT_NEAR(lengths["rim"], Pi, 0.01);
+  EXPECT_NEAR(lengths["outer0"], Pi, 0.01);
+  const double side = 2.0 * std::asin(std::sqrt(1.0 / 3.0)); // of the cube, blown up
+  EXPECT_NEAR(lengths["weld"], side, 0.01);
+  EXPECT_NEAR(lengths["shell+cap"], 3.0 * side, 0.03);
+  EXPECT_EQ(result.interfaces.size(), 2u);
 }
 }
 }
