@@ -1,6 +1,5 @@
 #include "SurfaceQuads.h"
 
-#include "ArcPoints.h"
 #include "ArcSpacing.h"
 #include "BoundaryOrder.h"
 #include "CoarseBlocks.h"
@@ -12,12 +11,12 @@
 #include "PrescribedSums.h"
 #include "QuadBuilder.h"
 #include "QuadMesher.h"
+#include "RepeatedEdges.h"
 #include "SizeSearch.h"
 #include "SmoothLoops.h"
 #include "Stopwatch.h"
 #include "SurfaceQualityMeasure.h"
 #include "TargetLengths.h"
-#include "UnionFind.h"
 #include "WeldRegions.h"
 
 #include <algorithm>
@@ -34,34 +33,6 @@ namespace
 /// Points, quads, lattices, energy, corrections, and the planes of points and quads: 1,230 bytes per quad were measured
 /// with 400,000 quads.
 constexpr double BytesPerSurfaceQuad = 1500.0;
-
-/// Returns the arcs of one edge that join the same points as another such arc.
-std::vector<std::size_t> FindRepeatedEdges(const TMesh& mesh, const std::vector<int>& counts)
-{
-  const ArcPoints points(mesh, counts);
-  UnionFind classes(Index(points.Count()));
-  for (const PointLink& link : points.Links())
-  {
-    classes.Join(link.from, link.to);
-  }
-  std::set<std::pair<int, int>> edges;
-  std::vector<std::size_t> repeated;
-  for (std::size_t a = 0; a < counts.size(); ++a)
-  {
-    if (counts[a] != 1)
-    {
-      continue;
-    }
-    const auto half = static_cast<int>(2 * a);
-    const std::pair<int, int> ends =
-      std::minmax({ classes.Find(points.At(half, 0)), classes.Find(points.At(half, 1)) });
-    if (!edges.insert(ends).second)
-    {
-      repeated.push_back(a);
-    }
-  }
-  return repeated;
-}
 
 /// Names the edges of the boundary without a side, which follow each other along every loop and are before those of
 /// lines: a side ends at a corner and at a given side.
@@ -143,8 +114,9 @@ public:
     result.tMesh = this->Separatrices;
     try
     {
-      result.counts = this->Search([this](double size, SearchEffort effort)
-        { return this->CountsFor(size, effort); },
+      KnownCounts known;
+      result.counts = this->Search([&](double size, SearchEffort effort)
+        { return this->CountsFor(size, effort, known); },
         progress.Part(0.0, 0.4));
     }
     catch (const Error&)
@@ -226,13 +198,13 @@ private:
   }
 
   /// Returns the edge counts for a size, with enough edges around loops without corners.
-  EdgeCounts CountsFor(double size, SearchEffort effort) const
+  EdgeCounts CountsFor(double size, SearchEffort effort, KnownCounts& known) const
   {
     QuantisationProblem problem = this->ProblemFor(size);
     double seconds = 0.0;
     const auto solve = [&]
     {
-      EdgeCounts solved = Quantise(this->Separatrices, problem, effort);
+      EdgeCounts solved = Quantise(this->Separatrices, problem, effort, &known);
       solved.seconds = seconds += solved.seconds;
       return solved;
     };

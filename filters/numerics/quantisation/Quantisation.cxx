@@ -26,7 +26,12 @@ std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
   {
     return {};
   }
-  problem.lower.assign(problem.Count(), 1);
+  const auto raise = [&problem](int arc, int least)
+  { problem.lower[arc] = std::max(problem.lower[arc], least); };
+  for (int arc = 0; arc < static_cast<int>(problem.Count()); ++arc)
+  {
+    raise(arc, 1);
+  }
   std::vector<int> counts = SolveBidirectedFlow(problem).counts;
   if (counts.empty())
   {
@@ -37,7 +42,7 @@ std::vector<int> CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
   {
     for (const int arc : loop.arcs)
     {
-      problem.lower[arc] = MinimumLoop;
+      raise(arc, MinimumLoop);
     }
   }
   return shortLoops.empty() ? counts : SolveBidirectedFlow(problem).counts;
@@ -60,9 +65,10 @@ struct SearchLimits
   std::size_t window = 0; ///< Arcs of the largest windows.
   int nodes = 0;          ///< Nodes of each search of the full problem.
   int rounds = 0;
+  double gap = 0.0; ///< Counts that cost at most 1 + gap times as much as any end the search.
 };
 
-SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort)
+SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort, bool isContinued)
 {
   // A thorough round takes a second or two, and a few with thousands of arcs. Nodes are limited instead
   // of seconds, so that the result is the same on every machine.
@@ -70,8 +76,17 @@ SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort)
   constexpr int MinimumNodes = 60;
   constexpr int QuickFraction = 20;
   const int nodes = std::max(MinimumNodes, ArcsTimesNodes / static_cast<int>(problem.Count()));
-  return effort == SearchEffort::Quick ? SearchLimits{ 100, nodes / QuickFraction, 1 }
-                                       : SearchLimits{ 200, nodes, 3 };
+  const bool isQuick = effort == SearchEffort::Quick;
+  SearchLimits limits = { isQuick ? std::size_t(100) : std::size_t(200),
+    isQuick ? nodes / QuickFraction : nodes, isQuick ? 1 : 3 };
+  if (isContinued)
+  {
+    // Counts of one size are the start for the next, so they must not be poor, or numbers of quads of sizes cannot
+    // be compared. Fewer per cent change these no more.
+    limits.rounds = 6;
+    limits.gap = isQuick ? 0.03 : 0.01;
+  }
+  return limits;
 }
 
 /// Solves the relaxation with separation rows, which is integral in most problems. Otherwise searches
@@ -80,18 +95,21 @@ SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort)
 class RoundSearch
 {
 public:
-  RoundSearch(const TMesh& mesh, const QuantisationProblem& problem, const SearchLimits& limits)
+  /// `rows` are known ones, and receive those that are found.
+  RoundSearch(const TMesh& mesh, const QuantisationProblem& problem, const SearchLimits& limits,
+    std::vector<SeparationRow>& rows)
     : Mesh(mesh)
     , Problem(problem)
     , Limits(limits)
     , AllArcs(problem.Count())
+    , Rows(rows)
   {
     std::iota(this->AllArcs.begin(), this->AllArcs.end(), 0);
   }
 
   /// Improves counts that satisfy the separation constraints. On entry, `best.bound` is the bound
   /// of the flow; it is improved too.
-  void Run(EdgeCounts& best, const Progress& progress)
+  void Run(EdgeCounts& best)
   {
     const double flowBound = best.bound;
     std::vector<double> relaxed;
@@ -100,12 +118,13 @@ public:
     {
       return;
     }
-    for (int round = 0; round < this->Limits.rounds; ++round)
+    for (int round = 0; round < this->Limits.rounds &&
+         (this->Limits.gap == 0.0 || best.cost > (1.0 + this->Limits.gap) * best.bound);
+         ++round)
     {
-      const Progress part = progress.Part(
-        static_cast<double>(round) / this->Limits.rounds, (round + 1.0) / this->Limits.rounds);
       const double before = best.cost;
-      this->SearchWindows(best, part.Part(0.0, 0.5));
+      const std::size_t rows = this->Rows.size();
+      this->SearchWindows(best);
       if (this->DropViolatedRows(best.counts))
       {
         best.bound = flowBound;
@@ -114,9 +133,12 @@ public:
       {
         return;
       }
-      part.Report(0.5);
       this->SearchAll(this->Limits.nodes, best, relaxed);
       this->SearchDifferences(relaxed, best);
+      if (best.cost >= before && this->Rows.size() == rows)
+      {
+        return; // the next round would be the same
+      }
     }
   }
 
@@ -132,10 +154,10 @@ private:
   }
 
   /// Starts without the known rows, so that counts that violate them are found too.
-  void SearchWindows(EdgeCounts& best, const Progress& progress)
+  void SearchWindows(EdgeCounts& best)
   {
     std::vector<SeparationRow> generated;
-    ImproveInWindows(this->Mesh, this->Problem, this->Limits.window, best, generated, progress);
+    ImproveInWindows(this->Mesh, this->Problem, this->Limits.window, best, generated);
     for (SeparationRow& row : generated)
     {
       if (std::find(this->Rows.begin(), this->Rows.end(), row) == this->Rows.end())
@@ -183,12 +205,12 @@ private:
   const QuantisationProblem& Problem;
   const SearchLimits Limits;
   std::vector<int> AllArcs;
-  std::vector<SeparationRow> Rows;
+  std::vector<SeparationRow>& Rows;
 };
 }
 
-EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort,
-  const Progress& progress)
+EdgeCounts Quantise(
+  const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort, KnownCounts* known)
 {
   Stopwatch stopwatch;
   const QuantisationProblem flow = WithSumsAsEquations(problem);
@@ -203,10 +225,19 @@ EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, Searc
     }
     best.cost = flow.Cost(best.counts);
   }
+  KnownCounts none;
+  KnownCounts& start = known != nullptr ? *known : none;
+  if (!start.counts.empty() && problem.IsFeasible(start.counts) &&
+    flow.Cost(start.counts) < best.cost)
+  {
+    best.counts = start.counts;
+    best.cost = flow.Cost(best.counts);
+  }
   if (!best.IsProved())
   {
-    RoundSearch(mesh, flow, LimitsFor(flow, effort)).Run(best, progress);
+    RoundSearch(mesh, flow, LimitsFor(flow, effort, known != nullptr), start.rows).Run(best);
   }
+  start.counts = best.counts;
   best.optimal = best.IsProved();
   best.seconds = stopwatch.Lap();
   return best;

@@ -40,9 +40,10 @@ void Relaxation::AddColumns()
   {
     this->FirstColumn[this->Free[i]] = 3 * static_cast<int>(i);
   }
-  for (const double target : this->Problem.target)
+  for (std::size_t a = 0; a < this->Problem.Count(); ++a)
   {
-    this->Floors.push_back(static_cast<int>(std::floor(target)));
+    this->Floors.push_back(
+      std::max(this->Problem.lower[a], static_cast<int>(std::floor(this->Problem.target[a]))));
   }
   double constant = 0.0;
   for (std::size_t a = 0; a < this->Problem.Count(); ++a)
@@ -56,10 +57,10 @@ void Relaxation::AddColumns()
   {
     const double weight = this->Problem.weight[arc];
     const int below = this->Floors[arc];
-    const double fraction = this->Problem.target[arc] - below;
-    constant += weight * fraction;
-    this->AddColumn(weight, below);
-    this->AddColumn(weight * (1.0 - 2.0 * fraction), 1);
+    const double fraction = this->Problem.target[arc] - below; // negative below the lower bound
+    constant += weight * std::abs(fraction);
+    this->AddColumn(weight, below - this->Problem.lower[arc]);
+    this->AddColumn(weight * (1.0 - 2.0 * std::max(0.0, fraction)), 1);
     this->AddColumn(weight, NoBound);
   }
   this->Solver->SetConstantCost(constant);

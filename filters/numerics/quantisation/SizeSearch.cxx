@@ -63,8 +63,8 @@ EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
     }
     if (tooMany > 0.0 && tooFew > 0.0 && tried > 1)
     {
-      // Between sizes as near as these the counts do not change.
-      if (std::abs(tooFew - tooMany) < 1e-4 * tooMany)
+      // Between sizes as near as these the counts hardly change.
+      if (std::abs(tooFew - tooMany) < 1e-3 * tooMany)
       {
         break;
       }

@@ -122,8 +122,8 @@ private:
 void Rebalance(const TMesh& mesh, const QuantisationProblem& problem, EdgeCounts& best)
 {
   QuantisationProblem kept = problem;
-  std::transform(best.counts.begin(), best.counts.end(), kept.lower.begin(),
-    [](int count) { return std::min(count, 1); });
+  std::transform(best.counts.begin(), best.counts.end(), problem.lower.begin(), kept.lower.begin(),
+    [](int count, int lower) { return std::max(lower, std::min(count, 1)); });
   EdgeCounts found = SolveBidirectedFlow(kept);
   if (best.IsImprovedBy(found) && problem.HoldsSums(found.counts) &&
     FindViolations(mesh, found.counts).empty())
@@ -134,7 +134,7 @@ void Rebalance(const TMesh& mesh, const QuantisationProblem& problem, EdgeCounts
 }
 
 void ImproveInWindows(const TMesh& mesh, const QuantisationProblem& problem, std::size_t largest,
-  EdgeCounts& best, std::vector<SeparationRow>& rows, const Progress& progress)
+  EdgeCounts& best, std::vector<SeparationRow>& rows)
 {
   const Windows windows(mesh);
   // Few windows need more.
@@ -143,15 +143,14 @@ void ImproveInWindows(const TMesh& mesh, const QuantisationProblem& problem, std
   // the full problem does. Small windows come first, as they are cheaper. Windows of more than a
   // third of all arcs are skipped, because the full problem covers them.
   constexpr std::array<std::size_t, 5> sizes = { 60, 100, 100, 200, 200 };
-  for (std::size_t pass = 0; pass < sizes.size(); ++pass)
+  for (const std::size_t size : sizes)
   {
-    if (sizes[pass] > largest || 3 * sizes[pass] > problem.Count())
+    if (size > largest || 3 * size > problem.Count())
     {
       break;
     }
-    for (const Window& window : windows.Cover(problem, best.counts, sizes[pass]))
+    for (const Window& window : windows.Cover(problem, best.counts, size))
     {
-      progress.Report(static_cast<double>(pass) / static_cast<double>(sizes.size()));
       ReplaceIfCheaper(best, SolveSubproblem(mesh, problem, window.arcs, MaximumNodes, best, rows));
     }
     Rebalance(mesh, problem, best);

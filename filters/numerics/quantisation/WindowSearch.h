@@ -1,7 +1,6 @@
 #pragma once
 
 #include "EdgeCounts.h"
-#include "Progress.h"
 #include "QuantisationProblem.h"
 #include "SeparationRow.h"
 
@@ -12,5 +11,5 @@ namespace crossfield
 /// window, small ones first (docs/method.md §14.3). `largest` is the number of arcs of the largest
 /// windows. Appends the generated separation rows to `rows`.
 void ImproveInWindows(const TMesh& mesh, const QuantisationProblem& problem, std::size_t largest,
-  EdgeCounts& best, std::vector<SeparationRow>& rows, const Progress& progress = {});
+  EdgeCounts& best, std::vector<SeparationRow>& rows);
 }

@@ -6,6 +6,7 @@
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "Relaxation.h"
+#include "RepeatedEdges.h"
 #include "SeamlessMapSolve.h"
 #include "Separation.h"
 #include "Subproblem.h"
@@ -303,6 +304,82 @@ TEST(Quantisation, SeparatesPointsThatAreDistinctInTheMap)
     }
   }
   EXPECT_GT(rows, 20);
+}
+
+/// Lower bounds of counts hold in branch and cut as in flows.
+TEST(Quantisation, KeepsLowerBounds)
+{
+  Random random(59);
+  int raised = 0;
+  for (int sample = 0; sample < 12; ++sample)
+  {
+    SCOPED_TRACE(sample);
+    const TMesh mesh = TMeshOf(DiskOfEdges(0.15), RandomPairs(random, 1), 0.1);
+    QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.9);
+    const EdgeCounts without = Quantise(mesh, problem, SearchEffort::Thorough);
+    for (std::size_t a = 0; a < problem.Count(); a += 3)
+    {
+      problem.lower[a] = 2;
+    }
+    const EdgeCounts counts = Quantise(mesh, problem, SearchEffort::Thorough);
+    EXPECT_TRUE(problem.IsFeasible(counts.counts));
+    EXPECT_TRUE(FindViolations(mesh, counts.counts).empty());
+    EXPECT_LE(counts.bound, counts.cost + CostRounding(counts.cost));
+    EXPECT_GE(counts.cost, without.cost - CostRounding(without.cost));
+    raised += problem.IsFeasible(without.counts) ? 0 : 1;
+    // Windows of all arcs: branch and cut alone.
+    std::vector<int> all(problem.Count());
+    std::iota(all.begin(), all.end(), 0);
+    const EdgeCounts free =
+      BranchAndCut(problem, all, {})
+        .Solve(100, [](const std::vector<int>&) { return std::vector<SeparationRow>(); });
+    ASSERT_FALSE(free.counts.empty());
+    EXPECT_TRUE(problem.IsFeasible(free.counts));
+    EXPECT_NEAR(free.cost, problem.Cost(free.counts), CostRounding(free.cost));
+  }
+  EXPECT_GT(raised, 6);
+}
+
+/// A search that starts with the counts of another size is as good as one from nothing.
+TEST(Quantisation, ContinuesFromAnotherSize)
+{
+  Random random(812);
+  for (int sample = 0; sample < 4; ++sample)
+  {
+    SCOPED_TRACE(sample);
+    const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 6), 0.06);
+    KnownCounts known;
+    for (const double size : { 0.2, 0.25, 0.3 })
+    {
+      const QuantisationProblem problem = MakeQuantisationProblem(mesh, size);
+      const EdgeCounts alone = Quantise(mesh, problem, SearchEffort::Thorough);
+      const EdgeCounts next = Quantise(mesh, problem, SearchEffort::Thorough, &known);
+      EXPECT_TRUE(problem.IsFeasible(next.counts));
+      EXPECT_TRUE(FindViolations(mesh, next.counts).empty());
+      EXPECT_EQ(known.counts, next.counts);
+      EXPECT_LE(next.cost, 1.01 * alone.cost + CostRounding(alone.cost));
+    }
+  }
+}
+
+/// Only arcs that are two edges between the same points are repeated, not those on both sides of a patch of zero
+/// width.
+TEST(RepeatedEdges, AreDifferentEdges)
+{
+  Random random(7);
+  int zero = 0;
+  for (int sample = 0; sample < 6; ++sample)
+  {
+    const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 4), 0.06);
+    for (const double size : { 0.5, 0.3 })
+    {
+      const EdgeCounts counts =
+        Quantise(mesh, MakeQuantisationProblem(mesh, size), SearchEffort::Quick);
+      zero += static_cast<int>(std::count(counts.counts.begin(), counts.counts.end(), 0));
+      EXPECT_TRUE(FindRepeatedEdges(mesh, counts.counts).empty()); // quads of a disk have none
+    }
+  }
+  EXPECT_GT(zero, 20);
 }
 
 /// Counts stay feasible after every window, never cost more, and come near to the proved optimum.
