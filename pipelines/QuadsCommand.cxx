@@ -64,6 +64,7 @@ struct QuadsOptions
   bool capCorners = true;
   bool hold = false;
   double featureAngle = 35.0;
+  double chordError = 0.0;
   bool repairHolonomy = false;
   double repairPart = 1.0;
   bool split = false;
@@ -151,7 +152,8 @@ int Mesh(const QuadsOptions& options)
   mesher->SetInputConnection(domain->GetOutputPort());
   mesher->SetQuadSize(options.size);
   // Without a number, prescribed sizes decide it.
-  mesher->SetQuadCount(options.countIsGiven || !options.sides.HasSizes() ? options.quads : 0);
+  const bool hasSizes = options.sides.HasSizes() || options.chordError > 0.0;
+  mesher->SetQuadCount(options.countIsGiven || !hasSizes ? options.quads : 0);
   SetSizing(options, mesher);
   mesher->SetSideNameArray(options.boundary.names);
   mesher->SetMaterialArray(options.boundary.materials);
@@ -164,6 +166,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetCapCorners(options.capCorners);
   mesher->SetHoldSingularities(options.hold);
   mesher->SetFeatureAngle(options.featureAngle);
+  mesher->SetChordError(options.chordError);
   mesher->SetRepairHolonomy(options.repairHolonomy || options.repairPart < 1.0);
   mesher->SetRepairPart(options.repairPart);
   mesher->SetSplitSingularities(options.split);
@@ -361,6 +364,10 @@ void AddQuadsCommand(CLI::App& app, int& status)
     "keep the nodes of given singularities where these are; otherwise they move where shapes or "
     "sizes are poor without this, and the report lists their moves");
   AddFeatureAngleTo(*command, options->featureAngle);
+  command
+    ->add_option("--chord-error", options->chordError,
+      "on a surface in space, how far the centres of quads may be from it, positive: quads are small where it is curved")
+    ->check(NumberCheck::Positive());
   AddRepairHolonomyTo(*command, options->repairHolonomy);
   command
     ->add_option("--repair-part", options->repairPart,

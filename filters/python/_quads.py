@@ -257,14 +257,16 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           sizes_near: Optional[Sequence[Sequence[float]]] = None, min_size: Optional[float] = None,
           max_size: Optional[float] = None, growth: Optional[float] = None,
           layers: Optional[Layers] = None, curves: Optional[Curves] = None,
-          periodic: Optional[Periodic] = None, order: int = 1, feature_angle: float = 35.0) -> QuadMesh:
+          periodic: Optional[Periodic] = None, order: int = 1, feature_angle: float = 35.0,
+          chord_error: Optional[float] = None) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
                    as for `solve`, without holes; without singularities they are chosen for the domain, and
                    report["events"] lists the decisions. A domain may also be a surface in space: `configuration`
-                   makes its singularities from points (n, 3), and of the arguments below only size, count, hold, order,
-                   feature_angle and merge ("none" or "coarse") apply.
+                   makes its singularities from points (n, 3), and of the arguments below only size, count, sizing,
+                   size_array, sizes_near, min_size, max_size, growth, hold, order, feature_angle, chord_error,
+                   materials, names and merge ("none" or "coarse") apply.
                    `corners` may also be a dictionary that sets what
                    rows of quads do, as {(1, 0): "leave", "wall": "turn"}: "end" on the next side, "turn" around
                    the corner, or "leave" it along a grid line; keys are positions, names of sides for all of
@@ -331,6 +333,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     order          order of the quads, 1 to 3; with 2 and 3, edges of the boundary follow the curves
     feature_angle  of a surface in space: angle in degrees between the normals of two triangles above which quads follow
                    their edge; 180: no edge is sharp
+    chord_error    of a surface in space: how far the centres of quads may be from it
 
     The singularities and corners used are in `singularities` of the result. Inverted quads are a
     RuntimeWarning, and report["inverted"] counts them.
@@ -379,7 +382,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetQuadSize(checked(size))
     if count is not None:
         mesher.SetQuadCount(count)
-    elif sizes or sizes_inside or sizes_near or min_size is not None or max_size is not None:
+    elif sizes or sizes_inside or sizes_near or min_size is not None or max_size is not None or chord_error:
         mesher.SetQuadCount(0)  # as many as the sizes need
     mesher.SetMeshSize(checked(mesh_size))
     mesher.SetCapCorners(cap_corners)
@@ -413,6 +416,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetAlternative(whole(alternative, "alternative"))
     mesher.SetHoldSingularities(hold)
     mesher.SetFeatureAngle(feature_angle)
+    mesher.SetChordError(checked(chord_error))
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetRepairPart(repair_part)
     mesher.SetSplitSingularities(split)

@@ -94,20 +94,10 @@ int vtkQuadMesher::RequestData(
       if (SurfaceConversion::IsSurface(domain))
       {
         this->RequireOptionsOfSurfaces(inputVector);
-        crossfield::SurfaceRequest request;
-        if (singularities != nullptr)
-        {
-          request.singularities = SurfaceConversion::ReadSingularities(singularities);
-        }
-        request.quadSize = this->QuadSize;
-        request.quadCount = this->QuadCount;
-        request.hold = this->HoldSingularities;
-        request.coarse = this->Merge == MergeCoarse;
-        request.featureAngle = vtkMath::RadiansFromDegrees(this->FeatureAngle);
-        NamedSurface surface = NamedSurface::Read(domain, this->MaterialArray, this->SideNameArray);
-        request.names = std::move(surface.names);
-        const crossfield::QuadWorkflowResult result =
-          crossfield::MakeQuadsOfSurface(surface.mesh, request, progress);
+        const NamedSurface surface =
+          NamedSurface::Read(domain, this->MaterialArray, this->SideNameArray);
+        const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
+          surface.mesh, this->MakeSurfaceRequest(domain, singularities, surface), progress);
         this->Warn(result);
         this->WriteOutputs(result, crossfield::DomainPlane(), outputVector);
         this->WriteRegions(surface.regions, result, outputVector);
@@ -119,6 +109,11 @@ int vtkQuadMesher::RequestData(
           EnergyConversion::WriteEvents(result.events, used);
         }
         return;
+      }
+      if (this->ChordError > 0.0)
+      {
+        throw crossfield::Error("A domain in a plane has no chord error; leave it out (ChordError, "
+                                "--chord-error), or give sizes.");
       }
       const std::string materialArray = MaterialCheck::FindArray(domain, this->MaterialArray);
       const std::vector<std::string> open = SideText::ReadNames(this->OpenLines);
@@ -221,6 +216,38 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
 }
 
 //------------------------------------------------------------------------------
+crossfield::SurfaceRequest vtkQuadMesher::MakeSurfaceRequest(
+  vtkDataSet* domain, vtkDataSet* singularities, const NamedSurface& surface) const
+{
+  crossfield::SurfaceRequest request;
+  if (singularities != nullptr)
+  {
+    request.singularities = SurfaceConversion::ReadSingularities(singularities);
+  }
+  request.quadSize = this->QuadSize;
+  request.quadCount = this->QuadCount;
+  request.hold = this->HoldSingularities;
+  request.coarse = this->Merge == MergeCoarse;
+  request.featureAngle = vtkMath::RadiansFromDegrees(this->FeatureAngle);
+  request.names = surface.names;
+  crossfield::SurfaceSizes& sizes = request.sizes;
+  sizes.isUniform = this->Sizing == SizingUniform;
+  sizes.chordError = this->ChordError;
+  for (const auto& [x, y, z, size, radius] : this->SizesNear)
+  {
+    sizes.near.push_back({ { x, y, z }, size, radius, 0.0 });
+  }
+  if (this->Sizing == SizingField)
+  {
+    sizes.length = SizeConversion::ReadSizesOnSurface(domain, this->SizeArray);
+  }
+  sizes.minimum = this->MinimumSize;
+  sizes.maximum = this->MaximumSize;
+  sizes.growth = this->Growth;
+  return request;
+}
+
+//------------------------------------------------------------------------------
 /** Adds what the table and the properties prescribe for sides. */
 void vtkQuadMesher::PrescribeSides(
   vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const
@@ -280,9 +307,6 @@ void vtkQuadMesher::RequireOptionsOfSurfaces(vtkInformationVector** inputVector)
     { vtkTable::GetData(inputVector[SidePort]) != nullptr || !this->Sides.empty() ||
         !this->SizesInside.empty(),
       "edge counts and sizes of sides" },
-    { !this->SizesNear.empty() || this->MinimumSize > 0.0 || this->MaximumSize > 0.0 ||
-        this->Sizing == SizingUniform || this->Sizing == SizingField,
-      "sizes other than conformal ones" },
     { !this->Nodes.empty(), "nodes at positions" },
     { !this->Layers.empty(), "boundary layers" },
     { !this->Periodic.empty(), "periodic sides" },
@@ -509,6 +533,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "HoldSingularities: " << this->HoldSingularities << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "ChordError: " << this->ChordError << "\n";
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "RepairPart: " << this->RepairPart << "\n";
   os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";

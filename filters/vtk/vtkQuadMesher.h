@@ -12,7 +12,8 @@
  * Port 0, the domain (vtkDataSet, or blocks of it): as for vtkDrillHoles, but it may have several
  * parts that do not touch, and loops in several blocks may bound one domain. Surface cells that are not in a plane
  * are a surface in space, closed or with a boundary: the quarter indices of its singularities and those
- * of corners add up to 4χ in each part, and of the properties only QuadSize, QuadCount, HoldSingularities, FeatureAngle and Merge (none or coarse) apply; others
+ * of corners add up to 4χ in each part, and of the properties only QuadSize, QuadCount, those of sizes but for sides, HoldSingularities, FeatureAngle, ChordError,
+ * MaterialArray, SideNameArray and Merge (none or coarse) apply; others
  * are an error if they are set. Its sharp edges are lines of quads, and each face between them has singularities of its own. Port 1, optional,
  * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
  * connection, singularities are chosen, on a surface in space those of smooth crosses, otherwise as
@@ -126,12 +127,14 @@
 class vtkDataSet;
 class vtkTable;
 class vtkUnstructuredGrid;
+struct NamedSurface;
 struct RegionValues;
 namespace crossfield
 {
 class DomainPlane;
 struct QuadRequest;
 struct QuadWorkflowResult;
+struct SurfaceRequest;
 }
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkQuadMesher : public vtkUnstructuredGridAlgorithm
@@ -458,6 +461,16 @@ public:
 
   ///@{
   /**
+   * Sets how far the centres of quads of a surface in space may be from it: their target size is at most
+   * √(8 ChordError / (|κ₁| + |κ₂|)) with the principal curvatures, and grows by Growth. Default: 0, sizes do not depend
+   * on the curvature. Range: 0 or more.
+   */
+  vtkSetClampMacro(ChordError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ChordError, double);
+  ///@}
+
+  ///@{
+  /**
    * Part of the way to the positions without defects that RepairHolonomy moves the singularities, 0
    * to 1: with less, they stay closer to their places and quads are stretched by a part of what they
    * would be. Default: 1.
@@ -567,6 +580,8 @@ private:
   void PrescribeSides(
     vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const;
   void RequireOptionsOfSurfaces(vtkInformationVector** inputVector) const;
+  crossfield::SurfaceRequest MakeSurfaceRequest(
+    vtkDataSet* domain, vtkDataSet* singularities, const NamedSurface& surface) const;
   void Warn(const crossfield::QuadWorkflowResult& result);
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);
@@ -600,6 +615,7 @@ private:
   bool CapCorners = true;
   bool HoldSingularities = false;
   double FeatureAngle = 35.0;
+  double ChordError = 0.0;
   bool RepairHolonomy = false;
   double RepairPart = 1.0;
   bool SplitSingularities = false;

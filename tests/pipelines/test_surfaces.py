@@ -255,6 +255,22 @@ class Surfaces(ProgramTest):
         for name in ("ELSET=bore\n", "ELSET=rounding\n", "NSET=seal\n", "NSET=rounding_face6\n"):
             self.assertIn(name, text)
 
+    def test_sizes(self):
+        (self.folder / "part.obj").write_text(obj(*sphere(16)))
+        report = self.quads("part.obj", "--chord-error", "0.01")
+        self.assertAlmostEqual(math.sqrt(4 * math.pi / report["quads"]), 0.2, delta=0.02)
+        self.assertLessEqual(report["surface_distance"]["max"], 0.011)
+        self.assertGreater(report["size_target"]["area_share"], 0.9)
+        result = self.run_program("quads", "part.obj", "--size", "0.2", "--size-near", "0,0,1:0.1", "-o", "near.vtu")
+        self.assertEqual(result.returncode, 0)
+        for arguments, words in ((("--chord-error", "-1"), "--chord-error"), (("--chord-error", "0"), "--chord-error")):
+            result = self.run_program("quads", "part.obj", "-o", "none.vtu", *arguments)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(words, result.stderr)
+        result = self.run_program("quads", "builtin:square", "--chord-error", "0.1", "-o", "none.vtu")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("no chord error", result.stderr)
+
     def test_order_two_on_sharp_edges(self):
         def on_can(place):
             cube = [x / max(map(abs, place)) for x in place]
@@ -323,7 +339,6 @@ class Surfaces(ProgramTest):
         self.write("off.csv", cube_corners(3))
         self.refuse("quads", "part.off", "-s", "off.csv", "-o", "q.vtu", says=["Singularity 1", "off the surface"])
         self.refuse(*refuse, "--layers", "outer0:0.1", says=["boundary layers", "leave this option out"])
-        self.refuse(*refuse, "--sizing", "uniform", says=["sizes other than", "leave this option out"])
         self.refuse("solve", "part.off", "-s", "eight.csv", "-o", "q.vtu", says=["not planar"])
         check = self.run_program("check", "part.off", "-s", "seven.csv")
         self.assertEqual(check.returncode, 1)

@@ -37,7 +37,7 @@ PROXIES = {
                        "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
-                   "HoldSingularities FeatureAngle RepairHolonomy SplitSingularities Curves"),
+                   "HoldSingularities FeatureAngle ChordError RepairHolonomy SplitSingularities Curves"),
     "SmoothQuads": ("filters", "Input SlideOnBoundary CornerAngle UniformSizes"),
     "QuadsToHigherOrder": ("filters", "Input Boundary Order FeatureAngle"),
     "ExtrudeQuads": ("filters", "Input Boundary Motion Layers Height Angle Axis"),

@@ -15,6 +15,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -225,6 +226,45 @@ TEST(QuadMesherSurfaces, HaveNoPlanarOptions)
   mesher->SetSingularitiesData(CubeCorners(7));
   EXPECT_EQ(CaptureError(mesher, { "add up to 7", "needs 8" }),
     static_cast<unsigned long>(vtkCrossFieldErrorCodes::Inconsistent));
+}
+
+TEST(QuadMesherSurfaces, HaveRequestedSizes)
+{
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(BlownUpCube());
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(0);
+  mesher->SetChordError(0.01);
+  UpdateWithoutError(mesher);
+  const vtkIdType byError = mesher->GetOutput()->GetNumberOfCells(); // √(4 · 0.01) = 0.2: 314 quads
+  EXPECT_NEAR(static_cast<double>(byError), 314.0, 80.0);
+  CheckInputUntouched(mesher);
+  mesher->SetChordError(0.0);
+  mesher->SetQuadSize(0.2);
+  mesher->AddSizeNear(0.0, 0.0, 1.0, 0.12, 0.6);
+  UpdateWithoutError(mesher);
+  EXPECT_EQ(mesher->GetErrorCode(), 0U);
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 350);
+  mesher->ClearSizesNear();
+  auto sphere = BlownUpCube();
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("Length");
+  for (vtkIdType p = 0; p < sphere->GetNumberOfPoints(); ++p)
+  {
+    lengths->InsertNextValue(0.2);
+  }
+  sphere->GetPointData()->AddArray(lengths);
+  mesher->SetInputData(sphere);
+  mesher->SetQuadSize(1.0);
+  mesher->SetSizingToField();
+  CaptureError(mesher, { "No size array is chosen" });
+  mesher->SetSizeArray("Length");
+  UpdateWithoutError(mesher);
+  EXPECT_NEAR(static_cast<double>(mesher->GetOutput()->GetNumberOfCells()), 314.0, 40.0);
+  lengths->SetValue(3, -1.0);
+  lengths->Modified();
+  sphere->Modified();
+  CaptureError(mesher, { "The target size at point 3", "not a positive number" });
 }
 
 TEST(QuadMesherSurfaces, KeepTheConventionsOfFilters)

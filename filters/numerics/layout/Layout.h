@@ -7,6 +7,7 @@
 #include "TMesh.h"
 #include "TraceGraph.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,9 +27,10 @@ struct Layout
   double traceSeconds = 0.0; ///< Time to trace the separatrices.
 };
 
-/// What the lines between the faces of a surface and its boundary are called.
+/// What the lines between the faces of a surface and its boundary are called, and where these meet.
 struct FaceSides
 {
+  std::vector<std::array<int, 2>> twins; ///< Vertices at the same place on both sides of lines.
   std::vector<std::string> ofPairs;
   std::vector<std::string> ofBoundary; ///< Per entry of mesh.boundary; empty without a given name.
 };

@@ -15,7 +15,8 @@ struct QuadResult
   QuadMesh mesh;
   /// Per quad, a number that is 0 outside of layers (LayeredMesh::regions); empty without layers.
   std::vector<int> regions;
-  std::vector<int> face; ///< Of a surface: per quad, its face, in the order of the layouts.
+  std::vector<int> face;       ///< Of a surface: per quad, its face, in the order of the layouts.
+  std::vector<double> targets; ///< Of a surface with target sizes: that of each quad.
   TMesh tMesh;       ///< T-mesh of the layout, with nodes where sides and graded parts of them end.
   double size = 0.0; ///< Edge length of quads in the map.
   EdgeCounts counts;

@@ -96,12 +96,15 @@ public:
     , Loops(*this->Map.topology, this->Separatrices)
     , Curves(*this->Map.topology)
     , Surface(*this->Map.topology)
-    , Area(AreaOf(this->Separatrices))
-    , Lengths(TargetLengths(this->Separatrices, {}))
+    , Area(this->Options.targets.IsEmpty() ? AreaOf(this->Separatrices)
+                                           : this->Options.targets.CountOn(*this->Map.topology))
+    , Lengths(this->Options.targets.IsEmpty()
+          ? TargetLengths(this->Separatrices, {})
+          : TargetLengths(this->Map, this->Separatrices, this->Options.targets))
     , SideOfArc(SidesOfArcs(this->Pairs, this->Curves, this->Separatrices))
     , Sums(SumsOfPairs(this->Pairs, this->SideOfArc))
   {
-    if (!this->Pairs.empty())
+    if (!this->Pairs.empty() && this->Options.targets.IsEmpty())
     {
       MatchFaces(this->Separatrices, FacesOfArcs(*this->Map.topology, this->Separatrices),
         this->Sums, this->Lengths);
@@ -124,7 +127,7 @@ public:
       this->RequireCounts();
       throw;
     }
-    result.size = result.counts.size;
+    result.size = this->SizeOf(result.counts.size);
     this->Build(result, progress.Part(0.4, this->Options.coarse ? 0.7 : 1.0));
     result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
     if (this->Options.coarse)
@@ -151,6 +154,15 @@ public:
   }
 
 private:
+  bool HasTargets() const { return !this->Options.targets.IsEmpty(); }
+
+  /// Returns the side length of equal quads for a size of Search, which is a factor of target sizes.
+  double SizeOf(double searched) const
+  {
+    return this->HasTargets() ? searched * std::sqrt(this->Map.topology->Area() / this->Area)
+                              : searched;
+  }
+
   /// Throws Error if the two sides of lines cannot have equal numbers of edges.
   void RequireCounts() const
   {
@@ -209,7 +221,7 @@ private:
       return solved;
     };
     EdgeCounts counts = solve();
-    if (this->Loops.RaiseTargets(size, counts.counts, problem))
+    if (this->Loops.RaiseTargets(this->SizeOf(size), counts.counts, problem))
     {
       counts = solve();
     }
@@ -289,6 +301,40 @@ private:
     return mesh;
   }
 
+  /// Sets the target sizes of quads, and their lengths, whose total area is that of the surface.
+  void SetTargets(QuadResult& result) const
+  {
+    QuadMesh& mesh = result.mesh;
+    const MeshTopology& topology = *this->Map.topology;
+    std::vector<double> ofPoints;
+    for (const QuadPoint& point : mesh.points)
+    {
+      ofPoints.push_back(this->Options.targets.At(topology, point.triangle, point.place));
+    }
+    result.targets.clear();
+    double squares = 0.0;
+    for (const std::array<int, 4>& quad : mesh.quads)
+    {
+      double size = 0.0;
+      for (const int point : quad)
+      {
+        size += 0.25 * ofPoints[Index(point)];
+      }
+      result.targets.push_back(size);
+      squares += size * size;
+    }
+    const double factor = std::sqrt(topology.Area() / squares);
+    const double mean = std::sqrt(squares / static_cast<double>(mesh.quads.size()));
+    for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+    {
+      mesh.targetLengths[q] = { factor * result.targets[q], factor * result.targets[q] };
+    }
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    {
+      mesh.points[p].scale = ofPoints[p] / mean;
+    }
+  }
+
   /// Returns the given name of an arc on the boundary, empty if it has none.
   const std::string& NameOf(const TArc& arc) const
   {
@@ -325,11 +371,18 @@ private:
       quads * BytesPerSurfaceQuad, "This number of quads", "use a larger size or fewer quads");
     result.mesh = this->QuadsOf(result);
     result.blocks = FindBlocks(result.mesh);
+    std::optional<double> sizePart;
+    if (this->HasTargets())
+    {
+      constexpr double Half = 0.5; // as in the plane
+      sizePart = Half;
+      this->SetTargets(result);
+    }
     result.layoutSeconds += stopwatch.Lap();
     if (this->Options.smooth)
     {
       result.smoothing = SmoothQuads(result.mesh, result.blocks, { this->Curves, &this->Surface },
-        std::nullopt, this->Options.hold, progress);
+        sizePart, this->Options.hold, progress);
     }
     else
     {

@@ -2,18 +2,21 @@
 
 #include "Layout.h"
 #include "QuadResult.h"
+#include "SurfaceTargets.h"
 
 namespace crossfield
 {
 struct SurfaceQuadOptions
 {
-  /// Target side length of quads in the map, whose area is the surface's; 0: set by quadCount.
+  /// Target side length of quads in the map, whose area is the surface's; with target sizes, a factor of these. 0: set
+  /// by quadCount.
   double quadSize = 0.0;
   int quadCount = 1000; ///< Target number of quads if quadSize is 0.
   bool hold = false;    ///< Keeps inner singularities at their positions in smoothing.
   bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.
   bool coarse = false;
+  SurfaceTargets targets = {}; ///< Sizes of quads; empty: those of the map.
 };
 
 /// Makes quads of the layout of a surface (docs/method.md §14, §22.8): edge counts, smooth quads, blocks and

@@ -84,6 +84,11 @@ LayoutSet JoinFaces(
     }
     pair.spans = spans;
     pairs.push_back(std::move(pair));
+    for (std::size_t i = 0; i < left.size(); ++i)
+    {
+      sides.twins.push_back(
+        { first[Index(line.faces[0])] + left[i], first[Index(line.faces[1])] + right[i] });
+    }
     sides.ofPairs.push_back(SideOf(line, body, names));
   }
   sides.ofBoundary.resize(topology.mesh.boundary.size());

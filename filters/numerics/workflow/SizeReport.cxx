@@ -2,6 +2,8 @@
 
 #include "Error.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,10 +21,12 @@ bool IsMet(double ratio)
 }
 
 /// Returns the area of a quad, at least 0: an inverted quad has no size.
-double AreaOf(const QuadMesh& mesh, const std::array<int, 4>& quad)
+double AreaOf(const QuadMesh& mesh, std::size_t quad)
 {
-  const auto at = [&](std::size_t corner) { return mesh.points[quad[corner]].InPlane(); };
-  return std::max(0.0, 0.5 * Cross(at(2) - at(0), at(3) - at(1)));
+  const auto at = [&](std::size_t corner) -> const SpacePoint&
+  { return mesh.points[mesh.quads[quad][corner]].place; };
+  const SpacePoint cross = (at(2) - at(0)).cross(at(3) - at(1));
+  return std::max(0.0, 0.5 * (mesh.normals.empty() ? cross.z() : cross.dot(mesh.normals[quad])));
 }
 
 Point CentreOf(const QuadMesh& mesh, const std::array<int, 4>& quad)
@@ -68,8 +72,8 @@ double LargestJump(const QuadMesh& mesh, const std::vector<int>& twins)
   {
     if (twins[side] > static_cast<int>(side))
     {
-      const double area = AreaOf(mesh, mesh.quads[side / 4]);
-      const double other = AreaOf(mesh, mesh.quads[static_cast<std::size_t>(twins[side]) / 4]);
+      const double area = AreaOf(mesh, side / 4);
+      const double other = AreaOf(mesh, static_cast<std::size_t>(twins[side]) / 4);
       if (area > 0.0 && other > 0.0)
       {
         largest = std::max(largest, std::sqrt(std::max(area / other, other / area)));
@@ -187,7 +191,7 @@ SizeReport MeasureSizes(const QuadResult& quads, const SizeTargets& targets)
     {
       measured.push_back(q);
       centres.push_back(CentreOf(mesh, mesh.quads[q]));
-      report.samples.push_back({ AreaOf(mesh, mesh.quads[q]), targets.length(centres.back()) });
+      report.samples.push_back({ AreaOf(mesh, q), targets.length(centres.back()) });
     }
   }
   for (const SizeSet& set : targets.sets)
@@ -220,6 +224,17 @@ SizeReport MeasureSizes(const QuadResult& quads, const SizeTargets& targets)
     {
       report.sets.push_back(std::move(ofSet));
     }
+  }
+  return report;
+}
+
+SizeReport MeasureTargets(const QuadMesh& mesh, const std::vector<double>& targets)
+{
+  SizeReport report;
+  report.largestJump = LargestJump(mesh, mesh.Twins());
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  {
+    report.samples.push_back({ AreaOf(mesh, q), targets[q] });
   }
   return report;
 }

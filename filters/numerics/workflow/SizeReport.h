@@ -71,6 +71,9 @@ struct SizeReport
 /// side, or with their centre in its disk, at least the nearest one; of the domain all of them.
 SizeReport MeasureSizes(const QuadResult& quads, const SizeTargets& targets);
 
+/// Measures the sizes of quads with a target each, without parts of the domain.
+SizeReport MeasureTargets(const QuadMesh& mesh, const std::vector<double>& targets);
+
 /// Returns a sentence that says where sizes are missed if less than 90 % of the area or of the quads are
 /// within 25 %, or the median of a set differs by more than a factor of two; otherwise nothing.
 std::string DescribeMissedSizes(const SizeReport& report);

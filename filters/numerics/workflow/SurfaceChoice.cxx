@@ -226,8 +226,8 @@ private:
 std::vector<Cone> ChooseSurfaceCones(const MeshTopology& topology, const std::vector<Cone>& corners,
   bool withoutPairs, const Progress& progress)
 {
-  // Nearer pairs are details that a mesh of a thousand quads would not resolve.
-  constexpr double Nearest = 0.08;
+  // Four quads of a mesh of a thousand, which hardly resolves nearer pairs.
+  constexpr double Nearest = 0.12;
   // Where a singularity of several quarters is divided.
   constexpr double Apart = 0.04;
   const Eigen::VectorXd angle = SmoothCrosses(topology, progress);

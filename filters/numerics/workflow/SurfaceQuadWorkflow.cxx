@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -60,11 +61,12 @@ Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSecon
 class BodyMesher
 {
 public:
-  BodyMesher(FeaturedPart& part, const SurfaceNames& names, bool chooses, bool joinsAll,
+  BodyMesher(FeaturedPart& part, const SurfaceRequest& request, bool joinsAll,
     const SurfaceQuadOptions& options)
     : Part(part)
-    , Names(names)
-    , Chooses(chooses)
+    , Names(request.names)
+    , Sizes(request.sizes)
+    , Chooses(!request.singularities)
     , JoinsAll(joinsAll)
     , Options(options)
   {
@@ -169,15 +171,50 @@ private:
   {
     constexpr double Few = 4.0;
     const double size = this->Options.quadSize;
-    const double ofQuad = size > 0.0 ? size * size : this->Body.area / this->Options.quadCount;
+    const int count = this->Options.quadCount > 0 ? this->Options.quadCount : DefaultQuads;
+    const double ofQuad = size > 0.0 ? size * size : this->Body.area / count;
     return this->Body.faces.size() > 1 && (this->JoinsAll || area < Few * ofQuad);
+  }
+
+  /// Makes quads of requested sizes. If their number may be that which a chord error needs, and all are a little too far
+  /// from the surface because numbers of edges are integers, more are made.
+  QuadResult MakeSizedQuads(const LayoutSet& layouts, const Progress& progress) const
+  {
+    constexpr double Accepted = 1.1; // of the chord error
+    constexpr double Little = 1.5;   // beyond, it is a place that sizes do not show
+    const MeshTopology& topology = *layouts.Single().map.topology;
+    SurfaceQuadOptions options = this->Options;
+    options.targets =
+      ResolveSizes(topology, layouts.sides.twins, this->Sizes, options.quadSize, options.quadCount);
+    // Lines between singularities are longer or shorter than others beside them, so the number is searched for.
+    const double count = options.targets.CountOn(topology);
+    options.quadSize = 0.0;
+    options.quadCount = static_cast<int>(std::max(1.0, std::round(count)));
+    QuadResult quads = MakeSurfaceQuads(layouts, options, progress.Part(0.0, 0.5));
+    const double error = this->Sizes.chordError;
+    const double distance = quads.quality.surface->maximumDistance;
+    if (this->Options.quadCount == 0 && distance > Accepted * error && distance <= Little * error)
+    {
+      options.quadCount = static_cast<int>(std::round(count * distance / error));
+      quads = MakeSurfaceQuads(layouts, options, progress.Part(0.5, 1.0));
+      for (double& target : quads.targets)
+      {
+        target *= std::sqrt(error / distance);
+      }
+    }
+    return quads;
   }
 
   PartOfQuads MakeQuads(const LayoutSet& layouts, const Progress& progress) const
   {
     PartOfQuads made;
     QuadWorkflowResult& result = made.quads;
-    result.quads = MakeSurfaceQuads(layouts, this->Options, progress);
+    result.quads = this->Sizes.IsEmpty() ? MakeSurfaceQuads(layouts, this->Options, progress)
+                                         : this->MakeSizedQuads(layouts, progress);
+    if (!this->Sizes.IsEmpty())
+    {
+      result.sizes = this->MeasureSizes(result.quads);
+    }
     if (result.quads.mesh.EulerCharacteristic() != this->Body.eulerCharacteristic)
     {
       throw Error("The quads do not cover the surface; use a smaller size.");
@@ -204,6 +241,36 @@ private:
     }
     made.loops = loops.size();
     return made;
+  }
+
+  /// Returns how closely sizes are met.
+  SizeReport MeasureSizes(const QuadResult& quads) const
+  {
+    SizeReport report = MeasureTargets(quads.mesh, quads.targets);
+    for (const SurfaceSizeNear& near : this->Sizes.near)
+    {
+      SizeReport::Set& set =
+        report.sets.emplace_back(SizeReport::Set{ "near " + DescribeInSpace(near.place), {} });
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const bool findsNearest : { true, false })
+      {
+        for (std::size_t q = 0; q < quads.mesh.quads.size(); ++q)
+        {
+          SpacePoint centre = SpacePoint::Zero();
+          for (const int point : quads.mesh.quads[q])
+          {
+            centre += 0.25 * quads.mesh.points[Index(point)].place;
+          }
+          const double distance = (centre - near.place).norm();
+          nearest = findsNearest ? std::min(nearest, distance) : nearest;
+          if (!findsNearest && distance <= std::max(near.radius, nearest))
+          {
+            set.ratios.push_back(report.samples[q].Ratio());
+          }
+        }
+      }
+    }
+    return report;
   }
 
   /// Adds the regions: one for each face.
@@ -271,6 +338,11 @@ private:
     {
       result.warnings.push_back(CountInverted(result.quads.quality) + "; use smaller quads.");
     }
+    const std::string missed = result.sizes ? DescribeMissedSizes(*result.sizes) : std::string();
+    if (!missed.empty())
+    {
+      result.warnings.push_back(missed);
+    }
     const SurfaceQuality& onSurface = *result.quads.quality.surface;
     if (onSurface.bent > 0)
     {
@@ -282,6 +354,7 @@ private:
 
   FeaturedPart& Part;
   const SurfaceNames& Names;
+  const SurfaceSizes& Sizes;
   const bool Chooses;  ///< Whether singularities are chosen.
   const bool JoinsAll; ///< Whether faces of any size may be joined.
   const SurfaceQuadOptions Options;
@@ -311,10 +384,12 @@ QuadWorkflowResult MakeQuadsOfTriangles(const SurfaceMesh& surface, const Surfac
     [&](std::size_t p)
     {
       const double share = areas[p] / area;
-      const auto count = static_cast<int>(std::max(1.0, std::round(share * request.quadCount)));
+      const int count = request.quadCount == 0
+        ? 0
+        : static_cast<int>(std::max(1.0, std::round(share * request.quadCount)));
       const double begin = done;
       done = std::min(1.0, done + share);
-      return BodyMesher(found.parts[p], request.names, !request.singularities, joinsAll,
+      return BodyMesher(found.parts[p], request, joinsAll,
         { request.quadSize, count, request.hold, true, request.coarse })
         .Run(progress.Part(begin, done));
     });
@@ -349,11 +424,13 @@ QuadWorkflowResult MakeQuadsOfSurface(
 {
   constexpr int MaximumRefinements = 2;
   constexpr double MaximumTriangles = 200000; // a map of these takes ten seconds
-  RequireSize(request.quadSize, request.quadCount);
+  const int count =
+    request.quadCount == 0 && !request.sizes.IsEmpty() ? DefaultQuads : request.quadCount;
+  RequireSize(request.quadSize, count);
   const double area = AreaOf(surface);
   SurfaceMesh refined;
   const SurfaceMesh* triangles = &surface;
-  double next = request.quadSize > 0.0 ? request.quadSize : std::sqrt(area / request.quadCount);
+  double next = request.quadSize > 0.0 ? request.quadSize : std::sqrt(area / count);
   double longest = 0.0; // side of the triangles in use
   for (int refinements = 0;; ++refinements)
   {

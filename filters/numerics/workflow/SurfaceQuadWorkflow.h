@@ -2,6 +2,7 @@
 
 #include "QuadRequest.h"
 #include "SurfaceCones.h"
+#include "SurfaceSizes.h"
 
 #include <optional>
 
@@ -12,12 +13,14 @@ struct SurfaceRequest
 {
   /// None: they are chosen (ChooseSurfaceCones).
   std::optional<std::vector<SurfaceSingularity>> singularities;
-  double quadSize = 0.0; ///< Side length of quads; 0: derived from quadCount.
-  int quadCount = DefaultQuads;
-  bool hold = false;   ///< SurfaceQuadOptions::hold.
-  bool coarse = false; ///< SurfaceQuadOptions::coarse.
+  /// Side length of quads; with prescribed sizes, a factor of these. 0: derived from quadCount.
+  double quadSize = 0.0;
+  int quadCount = DefaultQuads; ///< 0: as many as sizes need.
+  bool hold = false;            ///< SurfaceQuadOptions::hold.
+  bool coarse = false;          ///< SurfaceQuadOptions::coarse.
   /// Edges whose triangles' normals differ by more, in radians, are lines of quads.
   double featureAngle = DefaultFeatureAngle;
+  SurfaceSizes sizes = {};
   SurfaceNames names = {}; ///< Of its regions and lines, which are lines of quads as well.
 };
 

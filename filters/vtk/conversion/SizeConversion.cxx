@@ -177,4 +177,14 @@ crossfield::PrescribedSizes ReadSizes(
   }
   return sizes;
 }
+
+//------------------------------------------------------------------------------
+std::function<double(const crossfield::SpacePoint&)> ReadSizesOnSurface(
+  vtkDataSet* surface, const std::string& name)
+{
+  const UsedPoints used(surface);
+  const auto sampler = std::make_shared<Sampler>(
+    CellsToSample(surface, used, true), RequireLengths(surface, used, name));
+  return [sampler](const crossfield::SpacePoint& place) { return sampler->At(place); };
+}
 }

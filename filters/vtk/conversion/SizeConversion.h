@@ -4,6 +4,7 @@
 #include "DomainPlane.h"
 #include "PrescribedSizes.h"
 
+#include <functional>
 #include <string>
 
 class vtkDataSet;
@@ -25,6 +26,10 @@ crossfield::Sizing ReadSizing(int sizing);
  */
 crossfield::PrescribedSizes ReadSizes(
   vtkDataSet* domain, const std::string& name, const crossfield::DomainPlane& plane);
+
+/** Reads lengths of a surface in space in the same way: at the nearest point of its cells. */
+std::function<double(const crossfield::SpacePoint&)> ReadSizesOnSurface(
+  vtkDataSet* surface, const std::string& name);
 }
 
 #endif
