@@ -126,7 +126,8 @@ bool ConeMetric::IsValid() const
   {
     const MetricAngles& angles = this->AnglesOf(t);
     const auto [smallest, largest] = std::minmax_element(angles.angle.begin(), angles.angle.end());
-    if (!(*smallest > 0.0) || !(*largest < Pi))
+    // Cotangents of smaller angles are rounding errors, and may overflow.
+    if (!(*smallest > AngleRounding) || !(*largest < Pi - AngleRounding))
     {
       return false;
     }

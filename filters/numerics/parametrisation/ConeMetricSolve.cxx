@@ -60,6 +60,10 @@ public:
       const Progress part =
         progress.Part(done / MaximumIterations, (done + 1.0) / MaximumIterations);
       part.Report(0.0);
+      if (!this->Metric.IsValid())
+      {
+        return this->Report; // triangles were divided until they degenerated
+      }
       const MetricDerivatives derivatives(this->Metric);
       const Eigen::VectorXd angles = derivatives.AngleDefects();
       const LoopAlignment alignment = MeasureAlignment(derivatives);

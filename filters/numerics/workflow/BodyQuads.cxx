@@ -1,0 +1,367 @@
+#include "BodyQuads.h"
+
+#include "Error.h"
+#include "FaceJoin.h"
+#include "Index.h"
+#include "QuadAdvice.h"
+#include "Stopwatch.h"
+#include "SurfaceChoice.h"
+#include "SurfaceMap.h"
+#include "SurfaceQuads.h"
+#include "SurfaceTopology.h"
+#include "TMeshPatches.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Chooses the singularities of a face, unless they are given, and lays it out.
+Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSeconds& seconds,
+  const Progress& progress)
+{
+  Stopwatch clock;
+  if (chooses)
+  {
+    std::vector<Cone> cones =
+      ChooseSurfaceCones(*face.topology, face.cones, withoutPairs, progress.Part(0.0, 0.6));
+    face.cones.insert(face.cones.begin(), cones.begin(), cones.end());
+    seconds.choose += clock.Lap();
+  }
+  if (face.GivenQuarters() != face.RequiredQuarters())
+  {
+    throw Error(DescribeQuarters(face), Error::Kind::Inconsistent);
+  }
+  Layout layout;
+  layout.map = SolveSurfaceMap(face.topology, face.cones, progress.Part(0.6, 0.9));
+  seconds.map += clock.Lap();
+  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.9, 1.0));
+  layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
+  seconds.trace += clock.Lap();
+  return layout;
+}
+
+/// Makes the quads of one part.
+class BodyMesher
+{
+public:
+  BodyMesher(FeaturedPart& part, const SurfaceRequest& request, int count, bool joinsAll)
+    : Part(part)
+    , Names(request.names)
+    , Sizes(request.sizes)
+    , Chooses(!request.singularities)
+    , JoinsAll(joinsAll)
+    , Options({ request.quadSize, count, request.hold, true, request.coarse })
+  {
+  }
+
+  PartOfQuads Run(const Progress& progress)
+  {
+    const LayoutSet layouts = this->LayOut(progress);
+    try
+    {
+      return this->MakeQuads(layouts, progress.Part(0.7, 1.0));
+    }
+    catch (const Error& error)
+    {
+      // A face with pairs may need other numbers of edges on its two loops than the faces beside it have.
+      const bool helps = this->Chooses && error.GetKind() == Error::Kind::Inconsistent;
+      this->WithoutPairs = true;
+      const std::optional<PartOfQuads> made = helps ? this->TryAgain() : std::nullopt;
+      if (!made)
+      {
+        throw;
+      }
+      return *made;
+    }
+  }
+
+private:
+  /// Returns quads without pairs of opposite singularities, nothing if there are none.
+  std::optional<PartOfQuads> TryAgain()
+  {
+    try
+    {
+      const LayoutSet layouts = this->LayOut({});
+      return this->MakeQuads(layouts, {});
+    }
+    catch (const Error&)
+    {
+      return std::nullopt;
+    }
+  }
+
+  /// Lays out all faces. Faces that cannot be are joined to others, and the rest is tried again.
+  LayoutSet LayOut(const Progress& progress)
+  {
+    double done = 0.0;
+    while (true)
+    {
+      this->Body = PlaceCones(this->Part);
+      const double end = done + 0.5 * (0.7 - done);
+      std::vector<Layout> layouts = this->LayOutFaces(progress.Part(done, end));
+      done = end;
+      if (layouts.size() == this->Body.faces.size())
+      {
+        return this->Body.IsWhole() ? LayoutSet(std::move(layouts.front()))
+                                    : JoinFaces(this->Body, this->Names, layouts);
+      }
+      this->Joined += static_cast<int>(this->Body.faces.size() - layouts.size());
+      MergeFaces(this->Part.surface, this->Body.faceOf, this->Fails, this->Part.features);
+    }
+  }
+
+  /// Returns the layouts of those faces that can be laid out, and notes which cannot. Throws Error if these must
+  /// not be joined to others.
+  std::vector<Layout> LayOutFaces(const Progress& progress)
+  {
+    std::vector<Layout> layouts;
+    double done = 0.0;
+    this->Fails.assign(this->Body.faces.size(), false);
+    for (std::size_t f = 0; f < this->Body.faces.size(); ++f)
+    {
+      ConedSurface& face = this->Body.faces[f];
+      const double area = face.topology->Area();
+      const double end = std::min(1.0, done + area / this->Body.area);
+      try
+      {
+        layouts.push_back(LayOutFace(
+          face, this->Chooses, this->WithoutPairs, this->Seconds, progress.Part(done, end)));
+      }
+      catch (const Error& error)
+      {
+        if (this->Body.lines.empty())
+        {
+          throw;
+        }
+        if (!this->Chooses || !this->CanJoin(area))
+        {
+          const std::string start = DescribeFace(face) + ": ";
+          throw error.GetCause().empty()
+            ? Error(start + error.what(), error.GetKind())
+            : Error(start + error.GetCause(), error.GetRemedy(), error.GetKind());
+        }
+        this->Fails[f] = true;
+      }
+      done = end;
+    }
+    return layouts;
+  }
+
+  /// Returns whether a face of an area that cannot be laid out may be joined to another: if it is too small for a
+  /// few quads, or with smaller triangles cannot be either.
+  bool CanJoin(double area) const
+  {
+    constexpr double Few = 4.0;
+    const double size = this->Options.quadSize;
+    const int count = this->Options.quadCount > 0 ? this->Options.quadCount : DefaultQuads;
+    const double ofQuad = size > 0.0 ? size * size : this->Body.area / count;
+    return this->Body.faces.size() > 1 && (this->JoinsAll || area < Few * ofQuad);
+  }
+
+  /// Makes quads of requested sizes. If their number may be that which a chord error needs, and all are a little too far
+  /// from the surface because numbers of edges are integers, more are made.
+  QuadResult MakeSizedQuads(const LayoutSet& layouts, const Progress& progress) const
+  {
+    constexpr double Accepted = 1.1; // of the chord error
+    constexpr double Little = 1.5;   // beyond, it is a place that sizes do not show
+    const MeshTopology& topology = *layouts.Single().map.topology;
+    SurfaceQuadOptions options = this->Options;
+    options.targets =
+      ResolveSizes(topology, layouts.sides.twins, this->Sizes, options.quadSize, options.quadCount);
+    // Lines between singularities are longer or shorter than others beside them, so the number is searched for.
+    const double count = options.targets.CountOn(topology);
+    options.quadSize = 0.0;
+    options.quadCount = static_cast<int>(std::max(1.0, std::round(count)));
+    QuadResult quads = MakeSurfaceQuads(layouts, options, progress.Part(0.0, 0.5));
+    const double error = this->Sizes.chordError;
+    const double distance = quads.quality.surface->maximumDistance;
+    if (this->Options.quadCount == 0 && distance > Accepted * error && distance <= Little * error)
+    {
+      options.quadCount = static_cast<int>(std::round(count * distance / error));
+      quads = MakeSurfaceQuads(layouts, options, progress.Part(0.5, 1.0));
+      for (double& target : quads.targets)
+      {
+        target *= std::sqrt(error / distance);
+      }
+    }
+    return quads;
+  }
+
+  PartOfQuads MakeQuads(const LayoutSet& layouts, const Progress& progress) const
+  {
+    PartOfQuads made;
+    QuadWorkflowResult& result = made.quads;
+    result.quads = this->Sizes.IsEmpty() ? MakeSurfaceQuads(layouts, this->Options, progress)
+                                         : this->MakeSizedQuads(layouts, progress);
+    if (!this->Sizes.IsEmpty())
+    {
+      result.sizes = this->MeasureSizes(result.quads);
+    }
+    if (result.quads.mesh.EulerCharacteristic() != this->Body.eulerCharacteristic)
+    {
+      throw Error("The quads do not cover the surface; use a smaller size.");
+    }
+    result.seconds = this->Seconds;
+    result.seconds.integers = result.quads.counts.seconds;
+    result.seconds.layout = result.quads.layoutSeconds;
+    result.seconds.smooth = result.quads.smoothSeconds;
+    result.holonomyDefect = layouts.Single().map.holonomyDefect;
+    result.blocks.none = result.quads.separateBlocks;
+    if (this->Options.coarse)
+    {
+      result.blocks.coarse = static_cast<int>(result.quads.blocks.blocks.size());
+    }
+    this->Describe(result);
+    this->AddRegions(result);
+    std::set<int> loops;
+    for (const QuadBoundaryEdge& edge : result.quads.mesh.boundary)
+    {
+      if (edge.kind != BoundaryKind::Feature && edge.kind != BoundaryKind::Interface)
+      {
+        loops.insert(edge.id);
+      }
+    }
+    made.loops = loops.size();
+    return made;
+  }
+
+  /// Returns how closely sizes are met.
+  SizeReport MeasureSizes(const QuadResult& quads) const
+  {
+    SizeReport report = MeasureTargets(quads.mesh, quads.targets);
+    for (const SurfaceSizeNear& near : this->Sizes.near)
+    {
+      SizeReport::Set& set =
+        report.sets.emplace_back(SizeReport::Set{ "near " + DescribeInSpace(near.place), {} });
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const bool findsNearest : { true, false })
+      {
+        for (std::size_t q = 0; q < quads.mesh.quads.size(); ++q)
+        {
+          SpacePoint centre = SpacePoint::Zero();
+          for (const int point : quads.mesh.quads[q])
+          {
+            centre += 0.25 * quads.mesh.points[Index(point)].place;
+          }
+          const double distance = (centre - near.place).norm();
+          nearest = findsNearest ? std::min(nearest, distance) : nearest;
+          if (!findsNearest && distance <= std::max(near.radius, nearest))
+          {
+            set.ratios.push_back(report.samples[q].Ratio());
+          }
+        }
+      }
+    }
+    return report;
+  }
+
+  /// Adds the regions: one for each face.
+  void AddRegions(QuadWorkflowResult& result) const
+  {
+    if (this->Names.regions.empty())
+    {
+      return;
+    }
+    result.materials = this->Names.regions;
+    for (std::size_t f = 0; f < this->Body.faces.size(); ++f)
+    {
+      const ConedSurface& face = this->Body.faces[f];
+      result.regions.push_back(
+        { this->Body.regionOf[f], face.RequiredQuarters(), face.GivenQuarters(), 0 });
+    }
+    result.region = result.quads.face;
+    std::map<std::array<int, 2>, int> regionAt; // on the left of each side of a quad
+    for (std::size_t q = 0; q < result.region.size(); ++q)
+    {
+      RegionReport& region = result.regions[Index(result.region[q])];
+      ++region.quads;
+      const std::array<int, 4>& points = result.quads.mesh.quads[q];
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        regionAt[{ points[c], points[(c + 1) % 4] }] = region.material;
+      }
+    }
+    for (QuadBoundaryEdge& edge : result.quads.mesh.boundary)
+    {
+      const auto& [from, to] = edge.points;
+      const bool isInterface = edge.kind == BoundaryKind::Feature &&
+        regionAt.at({ from, to }) != regionAt.at({ to, from });
+      edge.kind = isInterface ? BoundaryKind::Interface : edge.kind;
+    }
+  }
+
+  /// Adds events and warnings.
+  void Describe(QuadWorkflowResult& result) const
+  {
+    const auto counted = [](std::size_t count, const std::string& what)
+    { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); };
+    if (!this->Body.lines.empty())
+    {
+      result.events.push_back("Quads follow the lines between faces of the surface: " +
+        counted(this->Body.lines.size(), "line") + " between " +
+        counted(this->Body.faces.size(), "face") + ".");
+    }
+    if (this->WithoutPairs)
+    {
+      result.events.emplace_back(
+        "Opposite singularities of a face were left out in pairs: with them, no numbers of edges "
+        "fit all faces.");
+    }
+    if (this->Joined > 0)
+    {
+      result.events.push_back(counted(static_cast<std::size_t>(this->Joined), "face") +
+        " could not be meshed and " + (this->Joined == 1 ? "was" : "were") + " joined to others.");
+    }
+    for (const ConedSurface& face : this->Body.faces)
+    {
+      result.events.insert(result.events.end(), face.events.begin(), face.events.end());
+    }
+    if (result.quads.quality.inverted > 0)
+    {
+      result.warnings.push_back(CountInverted(result.quads.quality) + "; use smaller quads.");
+    }
+    const std::string missed = result.sizes ? DescribeMissedSizes(*result.sizes) : std::string();
+    if (!missed.empty())
+    {
+      result.warnings.push_back(missed);
+    }
+    const SurfaceQuality& onSurface = *result.quads.quality.surface;
+    if (onSurface.bent > 0)
+    {
+      result.warnings.push_back("The surface turns by more than 60 degrees within " +
+        counted(static_cast<std::size_t>(onSurface.bent), "quad") + ", most near " +
+        DescribePlace(onSurface.mostBent) + "; use smaller quads where it is curved.");
+    }
+  }
+
+  FeaturedPart& Part;
+  const SurfaceNames& Names;
+  const SurfaceSizes& Sizes;
+  const bool Chooses;  ///< Whether singularities are chosen.
+  const bool JoinsAll; ///< Whether faces of any size may be joined.
+  const SurfaceQuadOptions Options;
+  SurfaceBody Body;
+  std::vector<bool> Fails;   ///< Per face.
+  int Joined = 0;            ///< Number of faces joined to others.
+  bool WithoutPairs = false; ///< Whether opposite singularities of a face are left out in pairs.
+  QuadSeconds Seconds;
+};
+}
+
+PartOfQuads MakeQuadsOfBody(FeaturedPart& part, const SurfaceRequest& request, int count,
+  bool joinsAll, const Progress& progress)
+{
+  return BodyMesher(part, request, count, joinsAll).Run(progress);
+}
+}
