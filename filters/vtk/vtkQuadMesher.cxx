@@ -96,8 +96,10 @@ int vtkQuadMesher::RequestData(
         this->RequireOptionsOfSurfaces(inputVector);
         const NamedSurface surface =
           NamedSurface::Read(domain, this->MaterialArray, this->SideNameArray);
-        const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(
-          surface.mesh, this->MakeSurfaceRequest(domain, singularities, surface), progress);
+        const crossfield::QuadWorkflowResult result = crossfield::MakeQuadsOfSurface(surface.mesh,
+          this->MakeSurfaceRequest(
+            domain, singularities, vtkTable::GetData(inputVector[SidePort]), surface),
+          progress);
         this->Warn(result);
         this->WriteOutputs(result, crossfield::DomainPlane(), outputVector);
         this->WriteRegions(surface.regions, result, outputVector);
@@ -217,7 +219,7 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
 
 //------------------------------------------------------------------------------
 crossfield::SurfaceRequest vtkQuadMesher::MakeSurfaceRequest(
-  vtkDataSet* domain, vtkDataSet* singularities, const NamedSurface& surface) const
+  vtkDataSet* domain, vtkDataSet* singularities, vtkTable* table, const NamedSurface& surface) const
 {
   crossfield::SurfaceRequest request;
   if (singularities != nullptr)
@@ -244,13 +246,32 @@ crossfield::SurfaceRequest vtkQuadMesher::MakeSurfaceRequest(
   sizes.minimum = this->MinimumSize;
   sizes.maximum = this->MaximumSize;
   sizes.growth = this->Growth;
+  crossfield::QuadRequest sides;
+  for (const SideText::Row& row : this->RowsOfSides(table))
+  {
+    SideText::Prescribe(row, crossfield::DomainPlane(), sides);
+  }
+  for (const crossfield::SideRequest& one : sides.sideRequests)
+  {
+    if (one.progression || one.curve || one.layer || one.inside > 0.0 || !one.partner.empty())
+    {
+      throw crossfield::Error("Of the side '" + one.side +
+        "' of a surface in space only the number of edges and their size can be prescribed yet; leave the rest out.");
+    }
+    if (one.count > 0)
+    {
+      request.counts.emplace_back(one.side, one.count);
+    }
+    if (one.size > 0.0)
+    {
+      sizes.atSides.emplace_back(one.side, one.size);
+    }
+  }
   return request;
 }
 
 //------------------------------------------------------------------------------
-/** Adds what the table and the properties prescribe for sides. */
-void vtkQuadMesher::PrescribeSides(
-  vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const
+std::vector<SideText::Row> vtkQuadMesher::RowsOfSides(vtkTable* table) const
 {
   std::vector<SideText::Row> rows;
   if (table != nullptr)
@@ -265,6 +286,15 @@ void vtkQuadMesher::PrescribeSides(
     rows.back().progression = texts[2];
     rows.back().size = texts[3];
   }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+/** Adds what the table and the properties prescribe for sides. */
+void vtkQuadMesher::PrescribeSides(
+  vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const
+{
+  std::vector<SideText::Row> rows = this->RowsOfSides(table);
   for (const std::array<std::string, 2>& texts : this->SizesInside)
   {
     rows.emplace_back();
@@ -304,9 +334,7 @@ void vtkQuadMesher::RequireOptionsOfSurfaces(vtkInformationVector** inputVector)
 {
   const std::pair<bool, const char*> options[] = {
     { vtkDataSet::GetData(inputVector[2]) != nullptr, "prescribed corners" },
-    { vtkTable::GetData(inputVector[SidePort]) != nullptr || !this->Sides.empty() ||
-        !this->SizesInside.empty(),
-      "edge counts and sizes of sides" },
+    { !this->SizesInside.empty(), "sizes inside of closed sides" },
     { !this->Nodes.empty(), "nodes at positions" },
     { !this->Layers.empty(), "boundary layers" },
     { !this->Periodic.empty(), "periodic sides" },

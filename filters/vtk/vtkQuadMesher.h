@@ -128,6 +128,10 @@ class vtkDataSet;
 class vtkTable;
 class vtkUnstructuredGrid;
 struct NamedSurface;
+namespace SideText
+{
+struct Row;
+}
 struct RegionValues;
 namespace crossfield
 {
@@ -580,8 +584,9 @@ private:
   void PrescribeSides(
     vtkTable* table, const crossfield::DomainPlane& plane, crossfield::QuadRequest& request) const;
   void RequireOptionsOfSurfaces(vtkInformationVector** inputVector) const;
-  crossfield::SurfaceRequest MakeSurfaceRequest(
-    vtkDataSet* domain, vtkDataSet* singularities, const NamedSurface& surface) const;
+  crossfield::SurfaceRequest MakeSurfaceRequest(vtkDataSet* domain, vtkDataSet* singularities,
+    vtkTable* table, const NamedSurface& surface) const;
+  std::vector<SideText::Row> RowsOfSides(vtkTable* table) const;
   void Warn(const crossfield::QuadWorkflowResult& result);
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);

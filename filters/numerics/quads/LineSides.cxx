@@ -1,5 +1,6 @@
 #include "LineSides.h"
 
+#include "BoundaryNames.h"
 #include "Index.h"
 #include "SparseCholesky.h"
 #include "UnionFind.h"
@@ -43,6 +44,33 @@ std::vector<int> SidesOfArcs(
     }
   }
   return sides;
+}
+
+SurfaceSideNames NamesOfSides(const LayoutSet& layouts, const std::vector<int>& sideOfArc)
+{
+  const Layout& layout = layouts.Single();
+  SurfaceSideNames names;
+  names.ofEntries = layouts.sides.ofBoundary;
+  names.ofEntries.resize(layout.map.topology->mesh.boundary.size());
+  std::vector<bool> isOnLine(names.ofEntries.size(), false);
+  const auto forLines = [&](const auto& visit)
+  {
+    for (std::size_t a = 0; a < sideOfArc.size(); ++a)
+    {
+      for (const ChartPiece& piece : layout.tMesh.arcs[a].pieces)
+      {
+        if (sideOfArc[a] >= 0)
+        {
+          visit(Index(piece.position), Index(sideOfArc[a] / 2));
+        }
+      }
+    }
+  };
+  forLines([&](std::size_t entry, std::size_t) { isOnLine[entry] = true; });
+  names.ofLoops = NameBoundary(layout.map, layouts.sides.twins, isOnLine, names.ofEntries);
+  forLines([&](std::size_t entry, std::size_t pair)
+    { names.ofEntries[entry] = layouts.sides.ofPairs[pair]; });
+  return names;
 }
 
 std::vector<CountSum> SumsOfPairs(

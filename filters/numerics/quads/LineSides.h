@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Layout.h"
 #include "MeshBoundary.h"
 #include "PairedSides.h"
 #include "QuantisationProblem.h"
@@ -14,6 +15,16 @@ namespace crossfield
 /// Returns the side of each arc of a T-mesh, −1 if it is on none of a pair.
 std::vector<int> SidesOfArcs(
   const std::vector<PairedSides>& pairs, const MeshBoundary& curves, const TMesh& mesh);
+
+/// The names of the sides of a surface, and of the lines between its faces.
+struct SurfaceSideNames
+{
+  std::vector<std::string> ofEntries; ///< Per entry of mesh.boundary.
+  std::vector<std::string> ofLoops;   ///< Those of the boundary, in order along its loops.
+};
+
+/// Returns the given names of sides, completed by NameBoundary.
+SurfaceSideNames NamesOfSides(const LayoutSet& layouts, const std::vector<int>& sideOfArc);
 
 /// Returns the sums that make both sides of each pair equal: Σ n_a of the first − Σ n_a of the second = 0.
 std::vector<CountSum> SumsOfPairs(

@@ -34,24 +34,9 @@ namespace
 /// with 400,000 quads.
 constexpr double BytesPerSurfaceQuad = 1500.0;
 
-/// Names the edges of the boundary without a side, which follow each other along every loop and are before those of
-/// lines: a side ends at a corner and at a given side.
-void NameSides(QuadMesh& mesh)
+/// Rotates the edges of loops of the boundary, which are before those of lines, so that each loop begins with a side.
+void StartAtSides(QuadMesh& mesh)
 {
-  const auto isCorner = [&mesh](const QuadBoundaryEdge& edge)
-  { return mesh.points[edge.points[0]].quarterIndex != 0; };
-  const std::set<std::string> given(mesh.sideNames.begin(), mesh.sideNames.end());
-  const auto nameSide = [&](const std::string& start, int& number)
-  {
-    std::string name;
-    do
-    {
-      name = start + std::to_string(number++);
-    } while (given.count(name) > 0);
-    mesh.sideNames.push_back(name);
-  };
-  int outer = 0;
-  int hole = 0;
   const auto last = std::find_if(mesh.boundary.begin(), mesh.boundary.end(),
     [](const QuadBoundaryEdge& edge) { return edge.kind == BoundaryKind::Interface; });
   for (auto begin = mesh.boundary.begin(); begin != last;)
@@ -60,25 +45,8 @@ void NameSides(QuadMesh& mesh)
       begin, last, [begin](const QuadBoundaryEdge& edge) { return edge.id != begin->id; });
     int before = std::prev(end)->side;
     const auto first = std::find_if(begin, end,
-      [&](const QuadBoundaryEdge& edge)
-      { return isCorner(edge) || std::exchange(before, edge.side) != edge.side; });
+      [&](const QuadBoundaryEdge& edge) { return std::exchange(before, edge.side) != edge.side; });
     std::rotate(begin, first == end ? begin : first, end);
-    bool startsSide = true;
-    for (auto edge = begin; edge != end; ++edge)
-    {
-      if (edge->side >= 0)
-      {
-        startsSide = true;
-        continue;
-      }
-      if (startsSide || isCorner(*edge))
-      {
-        const bool isOuter = edge->kind == BoundaryKind::Outer;
-        nameSide(isOuter ? "outer" : "hole", isOuter ? outer : hole);
-      }
-      startsSide = false;
-      edge->side = static_cast<int>(mesh.sideNames.size()) - 1;
-    }
     begin = end;
   }
 }
@@ -103,11 +71,13 @@ public:
           : TargetLengths(this->Map, this->Separatrices, this->Options.targets))
     , SideOfArc(SidesOfArcs(this->Pairs, this->Curves, this->Separatrices))
     , Sums(SumsOfPairs(this->Pairs, this->SideOfArc))
+    , Names(NamesOfSides(layouts, this->SideOfArc))
   {
+    this->AddCounts();
     if (!this->Pairs.empty() && this->Options.targets.IsEmpty())
     {
       MatchFaces(this->Separatrices, FacesOfArcs(*this->Map.topology, this->Separatrices),
-        this->Sums, this->Lengths);
+        SumsOfPairs(this->Pairs, this->SideOfArc), this->Lengths);
     }
   }
 
@@ -163,6 +133,30 @@ private:
                               : searched;
   }
 
+  /// Adds the sums that prescribed numbers of edges are. Throws Error if there is no such side.
+  void AddCounts()
+  {
+    std::vector<std::string> known = this->Sides.ofPairs;
+    known.insert(known.end(), this->Names.ofLoops.begin(), this->Names.ofLoops.end());
+    for (const auto& [name, count] : this->Options.counts)
+    {
+      RequireSide(known, name);
+      CountSum sum;
+      sum.minimum = sum.maximum = count;
+      sum.name = name + ":" + std::to_string(count);
+      for (std::size_t a = 0; a < this->Separatrices.arcs.size(); ++a)
+      {
+        const TArc& arc = this->Separatrices.arcs[a];
+        const bool isCounted = this->SideOfArc[a] < 0 || this->SideOfArc[a] % 2 == 0;
+        if (arc.onBoundary && isCounted && this->NameOf(arc) == name)
+        {
+          sum.terms.emplace_back(static_cast<int>(a), 1);
+        }
+      }
+      this->Sums.push_back(std::move(sum));
+    }
+  }
+
   /// Throws Error if the two sides of lines cannot have equal numbers of edges.
   void RequireCounts() const
   {
@@ -170,6 +164,10 @@ private:
     if (this->Sums.empty() || FindFeasibleCounts(this->Separatrices, problem))
     {
       return;
+    }
+    if (!this->Options.counts.empty())
+    {
+      throw Error(DescribeConflict(this->Separatrices, problem));
     }
     const std::vector<std::string> names = FindConflict(this->Separatrices, problem);
     throw Error("No numbers of edges fit the faces on both sides of " +
@@ -191,9 +189,13 @@ private:
     {
       length /= size;
     }
+    for (std::size_t s = this->Pairs.size(); s < this->Sums.size(); ++s)
+    {
+      this->Scale(this->Sums[s], target);
+    }
     QuantisationProblem problem = MakeQuantisationProblem(this->Separatrices, std::move(target));
     problem.sums = this->Sums;
-    if (!this->Sums.empty())
+    if (!this->Sums.empty() || this->HasTargets())
     {
       BalanceTargets(this->Separatrices, problem);
     }
@@ -207,6 +209,20 @@ private:
       }
     }
     return problem;
+  }
+
+  /// Multiplies targets of arcs so that they add up to a prescribed number.
+  static void Scale(const CountSum& sum, std::vector<double>& target)
+  {
+    double present = 0.0;
+    for (const auto& [arc, factor] : sum.terms)
+    {
+      present += target[Index(arc)];
+    }
+    for (const auto& [arc, factor] : sum.terms)
+    {
+      target[Index(arc)] *= sum.minimum / present;
+    }
   }
 
   /// Returns the edge counts for a size, with enough edges around loops without corners.
@@ -263,8 +279,13 @@ private:
     {
       mesh.sideNames.insert(mesh.sideNames.end(), 2, name);
     }
-    std::map<std::string, int> given; // names of the boundary
-    std::size_t edge = 0;             // edges are those of arcs, one after the other
+    std::map<std::string, int> sides; // of the boundary
+    for (const std::string& name : this->Names.ofLoops)
+    {
+      sides.emplace(name, static_cast<int>(mesh.sideNames.size()));
+      mesh.sideNames.push_back(name);
+    }
+    std::size_t edge = 0; // edges are those of arcs, one after the other
     for (std::size_t a = 0; a < counts.size(); ++a)
     {
       const TArc& arc = result.tMesh.arcs[a];
@@ -273,15 +294,9 @@ private:
         continue;
       }
       int side = this->SideOfArc[a];
-      const std::string& name = this->NameOf(arc);
-      if (!name.empty())
+      if (side < 0)
       {
-        const auto [found, isNew] = given.emplace(name, static_cast<int>(mesh.sideNames.size()));
-        side = found->second;
-        if (isNew)
-        {
-          mesh.sideNames.push_back(name);
-        }
+        side = sides.at(this->NameOf(arc));
       }
       for (int i = 0; i < counts[a]; ++i)
       {
@@ -290,7 +305,7 @@ private:
     }
     if (this->Pairs.empty())
     {
-      NameSides(mesh);
+      StartAtSides(mesh);
       return mesh;
     }
     mesh.periodic = this->Pairs;
@@ -335,20 +350,16 @@ private:
     }
   }
 
-  /// Returns the given name of an arc on the boundary, empty if it has none.
   const std::string& NameOf(const TArc& arc) const
   {
-    static const std::string none;
-    return this->Sides.ofBoundary.empty()
-      ? none
-      : this->Sides.ofBoundary[Index(arc.pieces.front().position)];
+    return this->Names.ofEntries[Index(arc.pieces.front().position)];
   }
 
   /// Makes one mesh of those of the faces.
   void Weld(QuadResult& result) const
   {
     WeldRegions(result.mesh);
-    NameSides(result.mesh);
+    StartAtSides(result.mesh);
     result.blocks = FindBlocks(result.mesh, result.face);
     result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
     const std::optional<SurfaceQuality> onSurface = result.quality.surface;
@@ -404,7 +415,8 @@ private:
   const double Area;
   std::vector<double> Lengths;      ///< Target counts for size 1.
   const std::vector<int> SideOfArc; ///< −1 inside of faces and on the boundary of the whole.
-  const std::vector<CountSum> Sums; ///< Those of pairs.
+  std::vector<CountSum> Sums;       ///< Those of pairs, and prescribed ones.
+  const SurfaceSideNames Names;
 };
 }
 

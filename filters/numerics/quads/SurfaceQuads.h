@@ -4,6 +4,10 @@
 #include "QuadResult.h"
 #include "SurfaceTargets.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace crossfield
 {
 struct SurfaceQuadOptions
@@ -17,6 +21,8 @@ struct SurfaceQuadOptions
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.
   bool coarse = false;
   SurfaceTargets targets = {}; ///< Sizes of quads; empty: those of the map.
+  /// Numbers of edges of sides and lines, by their names.
+  std::vector<std::pair<std::string, int>> counts = {};
 };
 
 /// Makes quads of the layout of a surface (docs/method.md §14, §22.8): edge counts, smooth quads, blocks and

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "FaceJoin.h"
 #include "Index.h"
+#include "LineSides.h"
 #include "QuadAdvice.h"
 #include "Stopwatch.h"
 #include "SurfaceChoice.h"
@@ -59,6 +60,7 @@ public:
     : Part(part)
     , Names(request.names)
     , Sizes(request.sizes)
+    , Counts(request.counts)
     , Chooses(!request.singularities)
     , JoinsAll(joinsAll)
     , Options({ request.quadSize, count, request.hold, true, request.coarse })
@@ -171,14 +173,14 @@ private:
 
   /// Makes quads of requested sizes. If their number may be that which a chord error needs, and all are a little too far
   /// from the surface because numbers of edges are integers, more are made.
-  QuadResult MakeSizedQuads(const LayoutSet& layouts, const Progress& progress) const
+  QuadResult MakeSizedQuads(const LayoutSet& layouts, const std::vector<std::string>& sideNames,
+    SurfaceQuadOptions options, const Progress& progress) const
   {
     constexpr double Accepted = 1.1; // of the chord error
     constexpr double Little = 1.5;   // beyond, it is a place that sizes do not show
     const MeshTopology& topology = *layouts.Single().map.topology;
-    SurfaceQuadOptions options = this->Options;
-    options.targets =
-      ResolveSizes(topology, layouts.sides.twins, this->Sizes, options.quadSize, options.quadCount);
+    options.targets = ResolveSizes(
+      topology, layouts.sides.twins, sideNames, this->Sizes, options.quadSize, options.quadCount);
     // Lines between singularities are longer or shorter than others beside them, so the number is searched for.
     const double count = options.targets.CountOn(topology);
     options.quadSize = 0.0;
@@ -202,8 +204,22 @@ private:
   {
     PartOfQuads made;
     QuadWorkflowResult& result = made.quads;
-    result.quads = this->Sizes.IsEmpty() ? MakeSurfaceQuads(layouts, this->Options, progress)
-                                         : this->MakeSizedQuads(layouts, progress);
+    const Layout& layout = layouts.Single();
+    const SurfaceSideNames names = NamesOfSides(
+      layouts, SidesOfArcs(layouts.pairs, MeshBoundary(*layout.map.topology), layout.tMesh));
+    SurfaceQuadOptions options = this->Options;
+    options.counts = this->Counts;
+    // Other parts may have the other sides.
+    options.counts.erase(std::remove_if(options.counts.begin(), options.counts.end(),
+                           [&names](const auto& one)
+                           {
+                             return std::find(names.ofEntries.begin(), names.ofEntries.end(),
+                                      one.first) == names.ofEntries.end();
+                           }),
+      options.counts.end());
+    result.quads = this->Sizes.IsEmpty()
+      ? MakeSurfaceQuads(layouts, options, progress)
+      : this->MakeSizedQuads(layouts, names.ofEntries, options, progress);
     if (!this->Sizes.IsEmpty())
     {
       result.sizes = this->MeasureSizes(result.quads);
@@ -348,6 +364,7 @@ private:
   FeaturedPart& Part;
   const SurfaceNames& Names;
   const SurfaceSizes& Sizes;
+  const std::vector<std::pair<std::string, int>>& Counts;
   const bool Chooses;  ///< Whether singularities are chosen.
   const bool JoinsAll; ///< Whether faces of any size may be joined.
   const SurfaceQuadOptions Options;

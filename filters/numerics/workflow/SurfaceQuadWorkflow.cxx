@@ -45,6 +45,14 @@ QuadWorkflowResult MakeQuadsOfTriangles(const SurfaceMesh& surface, const Surfac
       done = std::min(1.0, done + share);
       return MakeQuadsOfBody(found.parts[p], request, count, joinsAll, progress.Part(begin, done));
     });
+  for (const auto& [name, count] : request.counts)
+  {
+    RequireSide(result.quads.mesh.sideNames, name);
+  }
+  for (const auto& [name, size] : request.sizes.atSides)
+  {
+    RequireSide(result.quads.mesh.sideNames, name);
+  }
   result.seconds.mesh = partSeconds;
   result.interfaces = MeasureInterfaces(result.quads.mesh);
   result.events.insert(result.events.begin(), found.events.begin(), found.events.end());

@@ -21,6 +21,8 @@ struct SurfaceRequest
   /// Edges whose triangles' normals differ by more, in radians, are lines of quads.
   double featureAngle = DefaultFeatureAngle;
   SurfaceSizes sizes = {};
+  std::vector<std::pair<std::string, int>>
+    counts = {};           ///< Of edges, by the names of sides and lines.
   SurfaceNames names = {}; ///< Of its regions and lines, which are lines of quads as well.
 };
 

@@ -29,7 +29,7 @@ class SizeResolver
 {
 public:
   SizeResolver(const MeshTopology& topology, const std::vector<std::array<int, 2>>& twins,
-    const SurfaceSizes& sizes)
+    const std::vector<std::string>& sideNames, const SurfaceSizes& sizes)
     : Topology(topology)
     , Twins(twins)
     , Sizes(sizes)
@@ -47,6 +47,17 @@ public:
       // The middle of a quad is this far from a surface with these curvatures.
       this->Largest =
         (8.0 * sizes.chordError / AbsoluteCurvature(topology).array()).sqrt().matrix();
+    }
+    for (std::size_t entry = 0; entry < sideNames.size(); ++entry)
+    {
+      for (const auto& [name, size] : sizes.atSides)
+      {
+        for (const int vertex : topology.BoundaryAt(static_cast<int>(entry)).vertices)
+        {
+          double& largest = this->Largest[vertex];
+          largest = sideNames[entry] == name ? std::min(largest, size) : largest;
+        }
+      }
     }
     for (SurfaceSizeNear one : sizes.near)
     {
@@ -156,13 +167,13 @@ private:
 
 bool SurfaceSizes::IsEmpty() const
 {
-  return !this->isUniform && this->chordError == 0.0 && this->near.empty() && !this->length &&
-    this->minimum == 0.0 && this->maximum == 0.0;
+  return !this->isUniform && this->chordError == 0.0 && this->near.empty() &&
+    this->atSides.empty() && !this->length && this->minimum == 0.0 && this->maximum == 0.0;
 }
 
 SurfaceTargets ResolveSizes(const MeshTopology& topology,
-  const std::vector<std::array<int, 2>>& twins, const SurfaceSizes& sizes, double quadSize,
-  int quadCount)
+  const std::vector<std::array<int, 2>>& twins, const std::vector<std::string>& sideNames,
+  const SurfaceSizes& sizes, double quadSize, int quadCount)
 {
   RequireNotNegative(sizes.chordError, "The chord error");
   RequireNotNegative(sizes.minimum, "The smallest size");
@@ -172,10 +183,14 @@ SurfaceTargets ResolveSizes(const MeshTopology& topology,
     RequireNotNegative(one.size, "The size near " + DescribeInSpace(one.place));
     RequireNotNegative(one.radius, "The radius of the size near " + DescribeInSpace(one.place));
   }
+  for (const auto& [name, size] : sizes.atSides)
+  {
+    RequireNotNegative(size, "The size at '" + name + "'");
+  }
   if (!(sizes.growth > 1.0))
   {
     throw Error("The growth of sizes must be above 1.");
   }
-  return SizeResolver(topology, twins, sizes).Resolve(quadSize, quadCount);
+  return SizeResolver(topology, twins, sideNames, sizes).Resolve(quadSize, quadCount);
 }
 }

@@ -88,7 +88,7 @@ TEST(SurfaceSizes, AreEqualOnBothSidesOfLines)
   SurfaceSizes sizes;
   sizes.near = { { { 0.0, 0.0, 1.0 }, 0.02, 0.0, 0.0 } };
   const SurfaceTopology whole(can);
-  const SurfaceTargets targets = ResolveSizes(whole, {}, sizes, 10.0, 0);
+  const SurfaceTargets targets = ResolveSizes(whole, {}, {}, sizes, 10.0, 0);
   for (int vertex = 0; vertex < whole.VertexCount(); ++vertex)
   {
     const SpacePoint place = whole.PositionOf(vertex);
@@ -97,6 +97,44 @@ TEST(SurfaceSizes, AreEqualOnBothSidesOfLines)
       : 1.0 + 1.0 - place.z();
     EXPECT_NEAR(targets.sizes[vertex], 0.02 + std::log(1.25) * along, 0.03);
   }
+}
+
+TEST(SurfaceSizes, MayBePrescribedForSides)
+{
+  SurfaceRequest request;
+  request.quadCount = 300;
+  request.counts = { { "outer0", 40 } };
+  const auto edgesOf = [](const QuadWorkflowResult& result, const std::string& name)
+  {
+    int edges = 0;
+    for (const QuadBoundaryEdge& edge : result.quads.mesh.boundary)
+    {
+      edges += result.quads.mesh.sideNames[static_cast<std::size_t>(edge.side)] == name ? 1 : 0;
+    }
+    return edges;
+  };
+  const SurfaceMesh half = Hemisphere(16);
+  QuadWorkflowResult result = MakeQuadsOfSurface(half, request);
+  EXPECT_EQ(edgesOf(result, "outer0"), 40);
+  EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 1);
+  // Both circles of the can together.
+  request.counts = { { "features", 80 } };
+  result = MakeQuadsOfSurface(Can(16), request);
+  EXPECT_EQ(edgesOf(result, "features"), 80);
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.4);
+  // Sizes at the boundary, from which they grow.
+  request = {};
+  request.quadSize = 0.2;
+  request.sizes.atSides = { { "outer0", 0.1 } };
+  result = MakeQuadsOfSurface(half, request);
+  // Strips lead to the middle, where sizes are twice as large.
+  EXPECT_GT(edgesOf(result, "outer0"), 1.2 * 2.0 * Pi / 0.2);
+  EXPECT_LE(edgesOf(result, "outer0"), 2.0 * Pi / 0.1);
+  request.sizes.atSides = { { "rim", 0.1 } };
+  EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(half, request); }, { "rim", "outer0" }));
+  request = {};
+  request.counts = { { "outer0", 41 } }; // odd
+  EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(half, request); }, { "outer0:41" }));
 }
 
 TEST(SurfaceSizes, AreRefused)
