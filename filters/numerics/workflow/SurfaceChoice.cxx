@@ -1,5 +1,6 @@
 #include "SurfaceChoice.h"
 
+#include "EdgeDistances.h"
 #include "Error.h"
 #include "Index.h"
 #include "SmoothCrosses.h"
@@ -9,75 +10,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 #include <map>
-#include <queue>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Distances along the edges of a mesh between its inner vertices.
-class EdgeDistances
-{
-public:
-  explicit EdgeDistances(const MeshTopology& topology)
-    : IsInside(Index(topology.VertexCount()), true)
-    , Neighbours(Index(topology.VertexCount()))
-  {
-    for (const BoundaryEdge& edge : topology.mesh.boundary)
-    {
-      this->IsInside[edge.vertices[0]] = false;
-    }
-    for (int e = 0; e < topology.edges.Count(); ++e)
-    {
-      const auto& [from, to] = topology.edges.vertices[e];
-      const double length = topology.Length(e);
-      this->Neighbours[from].emplace_back(to, length);
-      this->Neighbours[to].emplace_back(from, length);
-    }
-  }
-
-  /// Visits vertices inside by increasing distance from one, which need not be inside, until visit(vertex, distance)
-  /// returns false or all are visited.
-  template <typename Visit>
-  void VisitFrom(int start, const Visit& visit) const
-  {
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    std::map<int, double> best = { { start, 0.0 } };
-    queue.emplace(0.0, start);
-    while (!queue.empty())
-    {
-      const auto [distance, vertex] = queue.top();
-      queue.pop();
-      if (distance > best.at(vertex))
-      {
-        continue;
-      }
-      if (this->IsInside[vertex] && !visit(vertex, distance))
-      {
-        return;
-      }
-      for (const auto& [next, length] : this->Neighbours[vertex])
-      {
-        const auto [found, isNew] = best.emplace(next, distance + length);
-        if (isNew || distance + length < found->second)
-        {
-          found->second = distance + length;
-          queue.emplace(distance + length, next);
-        }
-      }
-    }
-  }
-
-private:
-  std::vector<bool> IsInside;
-  std::vector<std::vector<std::pair<int, double>>> Neighbours;
-};
-
 Error TooFewPoints(const MeshTopology& topology, int vertex)
 {
   return { "The surface has too few points near " + topology.Where(vertex) +
