@@ -258,14 +258,7 @@ crossfield::SurfaceRequest vtkQuadMesher::MakeSurfaceRequest(
       throw crossfield::Error("Of the side '" + one.side +
         "' of a surface in space only the number of edges and their size can be prescribed yet; leave the rest out.");
     }
-    if (one.count > 0)
-    {
-      request.counts.emplace_back(one.side, one.count);
-    }
-    if (one.size > 0.0)
-    {
-      sizes.atSides.emplace_back(one.side, one.size);
-    }
+    request.sides.push_back({ one.side, one.count, one.size });
   }
   return request;
 }

@@ -263,6 +263,13 @@ class Surfaces(ProgramTest):
         self.assertGreater(report["size_target"]["area_share"], 0.9)
         result = self.run_program("quads", "part.obj", "--size", "0.2", "--size-near", "0,0,1:0.1", "-o", "near.vtu")
         self.assertEqual(result.returncode, 0)
+        (self.folder / "half.off").write_text(off(*upper_half(*sphere(16))))
+        for arguments, least, most in ((("--count", "outer0:60"), 60, 60), (("--size-at", "outer0:0.1"), 51, 75)):
+            report = json.loads(self.succeed("quads", "half.off", "--quads", "500", "-o", "half.vtu", "--json", "-", *arguments))
+            [edges] = [side["edges"] for side in report["sides"] if side["name"] == "outer0"]
+            self.assertTrue(least <= edges <= most, edges)
+        self.refuse("quads", "half.off", "-o", "none.vtu", "--count", "rim:60", says=["rim", "outer0"])
+        self.refuse("quads", "half.off", "-o", "none.vtu", "--count", "outer0:61", says=["outer0:61 fits no mesh", "give outer0:62"])
         for arguments, words in ((("--chord-error", "-1"), "--chord-error"), (("--chord-error", "0"), "--chord-error")):
             result = self.run_program("quads", "part.obj", "-o", "none.vtu", *arguments)
             self.assertEqual(result.returncode, 2)

@@ -138,23 +138,46 @@ private:
   {
     std::vector<std::string> known = this->Sides.ofPairs;
     known.insert(known.end(), this->Names.ofLoops.begin(), this->Names.ofLoops.end());
-    for (const auto& [name, count] : this->Options.counts)
+    for (const SurfaceSideRequest& one : this->Options.sides)
     {
-      RequireSide(known, name);
+      RequireSide(known, one.side);
       CountSum sum;
-      sum.minimum = sum.maximum = count;
-      sum.name = name + ":" + std::to_string(count);
+      sum.minimum = sum.maximum = one.count;
+      sum.name = one.side + ":" + std::to_string(one.count);
+      if (one.size > 0.0)
+      {
+        constexpr double Tolerance = 1.2;
+        const double edges = this->LengthOf(one.side) / one.size;
+        sum.minimum = static_cast<int>(std::ceil(edges / Tolerance));
+        sum.maximum = std::max(sum.minimum, static_cast<int>(std::floor(edges * Tolerance)));
+        sum.name = "The size of '" + one.side + "'";
+      }
       for (std::size_t a = 0; a < this->Separatrices.arcs.size(); ++a)
       {
         const TArc& arc = this->Separatrices.arcs[a];
         const bool isCounted = this->SideOfArc[a] < 0 || this->SideOfArc[a] % 2 == 0;
-        if (arc.onBoundary && isCounted && this->NameOf(arc) == name)
+        if (arc.onBoundary && isCounted && this->NameOf(arc) == one.side)
         {
           sum.terms.emplace_back(static_cast<int>(a), 1);
         }
       }
       this->Sums.push_back(std::move(sum));
     }
+  }
+
+  /// Returns the length of a side or line, along the edges of the surface.
+  double LengthOf(const std::string& side) const
+  {
+    const MeshTopology& topology = *this->Map.topology;
+    double length = 0.0;
+    for (std::size_t entry = 0; entry < this->Names.ofEntries.size(); ++entry)
+    {
+      length += this->Names.ofEntries[entry] == side
+        ? topology.Length(topology.EdgeOfBoundary(static_cast<int>(entry)))
+        : 0.0;
+    }
+    const auto& lines = this->Sides.ofPairs; // which are the boundary of two faces
+    return std::find(lines.begin(), lines.end(), side) == lines.end() ? length : 0.5 * length;
   }
 
   /// Throws Error if the two sides of lines cannot have equal numbers of edges.
@@ -165,7 +188,7 @@ private:
     {
       return;
     }
-    if (!this->Options.counts.empty())
+    if (!this->Options.sides.empty())
     {
       throw Error(DescribeConflict(this->Separatrices, problem));
     }
@@ -211,7 +234,7 @@ private:
     return problem;
   }
 
-  /// Multiplies targets of arcs so that they add up to a prescribed number.
+  /// Multiplies targets of arcs so that they add up to a prescribed number, or to one in its range.
   static void Scale(const CountSum& sum, std::vector<double>& target)
   {
     double present = 0.0;
@@ -219,9 +242,11 @@ private:
     {
       present += target[Index(arc)];
     }
+    const double wanted =
+      std::clamp(present, static_cast<double>(sum.minimum), static_cast<double>(sum.maximum));
     for (const auto& [arc, factor] : sum.terms)
     {
-      target[Index(arc)] *= sum.minimum / present;
+      target[Index(arc)] *= wanted / present;
     }
   }
 

@@ -5,11 +5,18 @@
 #include "SurfaceTargets.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace crossfield
 {
+/// A prescribed number of edges, or size of edges, of a side or line.
+struct SurfaceSideRequest
+{
+  std::string side;
+  int count = 0;     ///< 0: not prescribed.
+  double size = 0.0; ///< Met within 20 %; 0: not prescribed.
+};
+
 struct SurfaceQuadOptions
 {
   /// Target side length of quads in the map, whose area is the surface's; with target sizes, a factor of these. 0: set
@@ -21,8 +28,7 @@ struct SurfaceQuadOptions
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes; needs `smooth`.
   bool coarse = false;
   SurfaceTargets targets = {}; ///< Sizes of quads; empty: those of the map.
-  /// Numbers of edges of sides and lines, by their names.
-  std::vector<std::pair<std::string, int>> counts = {};
+  std::vector<SurfaceSideRequest> sides = {};
 };
 
 /// Makes quads of the layout of a surface (docs/method.md §14, §22.8): edge counts, smooth quads, blocks and

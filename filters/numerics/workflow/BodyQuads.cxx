@@ -1,9 +1,11 @@
 #include "BodyQuads.h"
 
+#include "ConeDescent.h"
 #include "Error.h"
 #include "FaceJoin.h"
 #include "Index.h"
 #include "LineSides.h"
+#include "OptimizerReport.h"
 #include "QuadAdvice.h"
 #include "Stopwatch.h"
 #include "SurfaceChoice.h"
@@ -27,6 +29,19 @@ namespace crossfield
 {
 namespace
 {
+/// Lays out a face with its singularities.
+Layout LayOutCones(const ConedSurface& face, QuadSeconds& seconds, const Progress& progress)
+{
+  Stopwatch clock;
+  Layout layout;
+  layout.map = SolveSurfaceMap(face.topology, face.cones, progress.Part(0.0, 0.7));
+  seconds.map += clock.Lap();
+  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.7, 1.0));
+  layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
+  seconds.trace += clock.Lap();
+  return layout;
+}
+
 /// Chooses the singularities of a face, unless they are given, and lays it out.
 Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSeconds& seconds,
   const Progress& progress)
@@ -43,13 +58,7 @@ Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSecon
   {
     throw Error(DescribeQuarters(face), Error::Kind::Inconsistent);
   }
-  Layout layout;
-  layout.map = SolveSurfaceMap(face.topology, face.cones, progress.Part(0.6, 0.9));
-  seconds.map += clock.Lap();
-  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.9, 1.0));
-  layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
-  seconds.trace += clock.Lap();
-  return layout;
+  return LayOutCones(face, seconds, progress.Part(0.6, 1.0));
 }
 
 /// Makes the quads of one part.
@@ -60,7 +69,8 @@ public:
     : Part(part)
     , Names(request.names)
     , Sizes(request.sizes)
-    , Counts(request.counts)
+    , Sides(request.sides)
+    , IsSized(request.HasSizes())
     , Chooses(!request.singularities)
     , JoinsAll(joinsAll)
     , Options({ request.quadSize, count, request.hold, true, request.coarse })
@@ -68,6 +78,25 @@ public:
   }
 
   PartOfQuads Run(const Progress& progress)
+  {
+    PartOfQuads made = this->MakeAsChosen(progress.Part(0.0, 0.6));
+    // Several faces share one mesh, which would have to be made for each of them.
+    // With more triangles the moves would take longer than all the rest.
+    constexpr int MostTriangles = 20000;
+    if (this->Chooses && this->Body.faces.size() == 1 &&
+      this->Body.faces.front().topology->TriangleCount() <= MostTriangles)
+    {
+      if (const auto moved = this->MakeWithMoved(progress.Part(0.6, 1.0)))
+      {
+        this->TakeIfBetter(*moved, made);
+      }
+      made.quads.seconds = this->Seconds;
+    }
+    return made;
+  }
+
+private:
+  PartOfQuads MakeAsChosen(const Progress& progress)
   {
     const LayoutSet layouts = this->LayOut(progress);
     try
@@ -88,7 +117,59 @@ public:
     }
   }
 
-private:
+  /// Returns quads with singularities moved from their chosen places, nothing if none moves or there are no quads.
+  std::optional<PartOfQuads> MakeWithMoved(const Progress& progress)
+  {
+    ConedSurface& face = this->Body.faces.front();
+    const auto corners = std::stable_partition(
+      face.cones.begin(), face.cones.end(), [](const Cone& cone) { return !cone.onBoundary; });
+    const std::vector<Cone> chosen(face.cones.begin(), corners);
+    Stopwatch clock;
+    try
+    {
+      const std::vector<Cone> moved =
+        MovedCones(face.topology, chosen, { corners, face.cones.end() }, progress.Part(0.0, 0.4));
+      this->Seconds.choose += clock.Lap();
+      const bool isSame = std::equal(moved.begin(), moved.end(), chosen.begin(),
+        [](const Cone& a, const Cone& b) { return a.vertex == b.vertex; });
+      if (isSame)
+      {
+        return std::nullopt;
+      }
+      std::copy(moved.begin(), moved.end(), face.cones.begin());
+      std::vector<Layout> layouts;
+      layouts.push_back(LayOutCones(face, this->Seconds, progress.Part(0.4, 0.7)));
+      return this->MakeQuads(this->Join(std::move(layouts)), progress.Part(0.7, 1.0));
+    }
+    catch (const Error&)
+    {
+      return std::nullopt; // those with the chosen places remain
+    }
+  }
+
+  /// Takes quads with moved singularities if their minimum scaled Jacobian is larger or, where both are nearly equal,
+  /// the mean; with coarse blocks only if there are no more of these.
+  void TakeIfBetter(const PartOfQuads& moved, PartOfQuads& made) const
+  {
+    // The minimum changes by more from one number of quads to the next.
+    constexpr double Equal = 0.01;
+    const Range& before = made.quads.quads.quality.jacobian;
+    const Range& after = moved.quads.quads.quality.jacobian;
+    const double gain = after.min - before.min;
+    const bool isBetter = std::abs(gain) > Equal ? gain > 0.0 : after.mean > before.mean;
+    if (!isBetter || moved.quads.blocks.coarse > made.quads.blocks.coarse)
+    {
+      return;
+    }
+    const auto describe = [](const Range& jacobian)
+    { return FormatShort(jacobian.min) + ", mean " + FormatShort(jacobian.mean); };
+    const std::string event = "Singularities were moved from where smooth crosses have them: the "
+                              "minimum scaled Jacobian is " +
+      describe(after) + ", instead of " + describe(before) + ".";
+    made = moved;
+    made.quads.events.push_back(event);
+  }
+
   /// Returns quads without pairs of opposite singularities, nothing if there are none.
   std::optional<PartOfQuads> TryAgain()
   {
@@ -115,12 +196,18 @@ private:
       done = end;
       if (layouts.size() == this->Body.faces.size())
       {
-        return this->Body.IsWhole() ? LayoutSet(std::move(layouts.front()))
-                                    : JoinFaces(this->Body, this->Names, layouts);
+        return this->Join(std::move(layouts));
       }
       this->Joined += static_cast<int>(this->Body.faces.size() - layouts.size());
       MergeFaces(this->Part.surface, this->Body.faceOf, this->Fails, this->Part.features);
     }
+  }
+
+  /// Returns the layouts of all faces as one.
+  LayoutSet Join(std::vector<Layout> layouts) const
+  {
+    return this->Body.IsWhole() ? LayoutSet(std::move(layouts.front()))
+                                : JoinFaces(this->Body, this->Names, layouts);
   }
 
   /// Returns the layouts of those faces that can be laid out, and notes which cannot. Throws Error if these must
@@ -179,8 +266,8 @@ private:
     constexpr double Accepted = 1.1; // of the chord error
     constexpr double Little = 1.5;   // beyond, it is a place that sizes do not show
     const MeshTopology& topology = *layouts.Single().map.topology;
-    options.targets = ResolveSizes(
-      topology, layouts.sides.twins, sideNames, this->Sizes, options.quadSize, options.quadCount);
+    options.targets = ResolveSizes(topology, layouts.sides.twins, sideNames, this->Sides,
+      this->Sizes, options.quadSize, options.quadCount);
     // Lines between singularities are longer or shorter than others beside them, so the number is searched for.
     const double count = options.targets.CountOn(topology);
     options.quadSize = 0.0;
@@ -200,7 +287,7 @@ private:
     return quads;
   }
 
-  PartOfQuads MakeQuads(const LayoutSet& layouts, const Progress& progress) const
+  PartOfQuads MakeQuads(const LayoutSet& layouts, const Progress& progress)
   {
     PartOfQuads made;
     QuadWorkflowResult& result = made.quads;
@@ -208,19 +295,19 @@ private:
     const SurfaceSideNames names = NamesOfSides(
       layouts, SidesOfArcs(layouts.pairs, MeshBoundary(*layout.map.topology), layout.tMesh));
     SurfaceQuadOptions options = this->Options;
-    options.counts = this->Counts;
-    // Other parts may have the other sides.
-    options.counts.erase(std::remove_if(options.counts.begin(), options.counts.end(),
-                           [&names](const auto& one)
-                           {
-                             return std::find(names.ofEntries.begin(), names.ofEntries.end(),
-                                      one.first) == names.ofEntries.end();
-                           }),
-      options.counts.end());
-    result.quads = this->Sizes.IsEmpty()
+    for (const SurfaceSideRequest& one : this->Sides)
+    {
+      // Other parts may have the other sides.
+      if (std::find(names.ofEntries.begin(), names.ofEntries.end(), one.side) !=
+        names.ofEntries.end())
+      {
+        options.sides.push_back(one);
+      }
+    }
+    result.quads = !this->IsSized
       ? MakeSurfaceQuads(layouts, options, progress)
       : this->MakeSizedQuads(layouts, names.ofEntries, options, progress);
-    if (!this->Sizes.IsEmpty())
+    if (this->IsSized)
     {
       result.sizes = this->MeasureSizes(result.quads);
     }
@@ -228,10 +315,10 @@ private:
     {
       throw Error("The quads do not cover the surface; use a smaller size.");
     }
+    this->Seconds.integers += result.quads.counts.seconds;
+    this->Seconds.layout += result.quads.layoutSeconds;
+    this->Seconds.smooth += result.quads.smoothSeconds;
     result.seconds = this->Seconds;
-    result.seconds.integers = result.quads.counts.seconds;
-    result.seconds.layout = result.quads.layoutSeconds;
-    result.seconds.smooth = result.quads.smoothSeconds;
     result.holonomyDefect = layouts.Single().map.holonomyDefect;
     result.blocks.none = result.quads.separateBlocks;
     if (this->Options.coarse)
@@ -364,7 +451,8 @@ private:
   FeaturedPart& Part;
   const SurfaceNames& Names;
   const SurfaceSizes& Sizes;
-  const std::vector<std::pair<std::string, int>>& Counts;
+  const std::vector<SurfaceSideRequest>& Sides;
+  const bool IsSized;  ///< SurfaceRequest::HasSizes.
   const bool Chooses;  ///< Whether singularities are chosen.
   const bool JoinsAll; ///< Whether faces of any size may be joined.
   const SurfaceQuadOptions Options;
@@ -372,7 +460,7 @@ private:
   std::vector<bool> Fails;   ///< Per face.
   int Joined = 0;            ///< Number of faces joined to others.
   bool WithoutPairs = false; ///< Whether opposite singularities of a face are left out in pairs.
-  QuadSeconds Seconds;
+  QuadSeconds Seconds;       ///< In all attempts.
 };
 }
 

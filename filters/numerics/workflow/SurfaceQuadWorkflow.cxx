@@ -45,13 +45,9 @@ QuadWorkflowResult MakeQuadsOfTriangles(const SurfaceMesh& surface, const Surfac
       done = std::min(1.0, done + share);
       return MakeQuadsOfBody(found.parts[p], request, count, joinsAll, progress.Part(begin, done));
     });
-  for (const auto& [name, count] : request.counts)
+  for (const SurfaceSideRequest& one : request.sides)
   {
-    RequireSide(result.quads.mesh.sideNames, name);
-  }
-  for (const auto& [name, size] : request.sizes.atSides)
-  {
-    RequireSide(result.quads.mesh.sideNames, name);
+    RequireSide(result.quads.mesh.sideNames, one.side);
   }
   result.seconds.mesh = partSeconds;
   result.interfaces = MeasureInterfaces(result.quads.mesh);
@@ -79,13 +75,19 @@ SurfaceMesh RefinedParts(const SurfaceMesh& surface, double length)
 }
 }
 
+bool SurfaceRequest::HasSizes() const
+{
+  return !this->sizes.IsEmpty() ||
+    std::any_of(this->sides.begin(), this->sides.end(),
+      [](const SurfaceSideRequest& one) { return one.size > 0.0; });
+}
+
 QuadWorkflowResult MakeQuadsOfSurface(
   const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
 {
   constexpr int MaximumRefinements = 2;
   constexpr double MaximumTriangles = 200000; // a map of these takes ten seconds
-  const int count =
-    request.quadCount == 0 && !request.sizes.IsEmpty() ? DefaultQuads : request.quadCount;
+  const int count = request.quadCount == 0 && request.HasSizes() ? DefaultQuads : request.quadCount;
   RequireSize(request.quadSize, count);
   const double area = AreaOf(surface);
   SurfaceMesh refined;

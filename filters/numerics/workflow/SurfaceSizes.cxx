@@ -29,7 +29,8 @@ class SizeResolver
 {
 public:
   SizeResolver(const MeshTopology& topology, const std::vector<std::array<int, 2>>& twins,
-    const std::vector<std::string>& sideNames, const SurfaceSizes& sizes)
+    const std::vector<std::string>& sideNames, const std::vector<SurfaceSideRequest>& sides,
+    const SurfaceSizes& sizes)
     : Topology(topology)
     , Twins(twins)
     , Sizes(sizes)
@@ -50,12 +51,13 @@ public:
     }
     for (std::size_t entry = 0; entry < sideNames.size(); ++entry)
     {
-      for (const auto& [name, size] : sizes.atSides)
+      for (const SurfaceSideRequest& one : sides)
       {
+        const bool isThere = one.size > 0.0 && sideNames[entry] == one.side;
         for (const int vertex : topology.BoundaryAt(static_cast<int>(entry)).vertices)
         {
           double& largest = this->Largest[vertex];
-          largest = sideNames[entry] == name ? std::min(largest, size) : largest;
+          largest = isThere ? std::min(largest, one.size) : largest;
         }
       }
     }
@@ -167,13 +169,14 @@ private:
 
 bool SurfaceSizes::IsEmpty() const
 {
-  return !this->isUniform && this->chordError == 0.0 && this->near.empty() &&
-    this->atSides.empty() && !this->length && this->minimum == 0.0 && this->maximum == 0.0;
+  return !this->isUniform && this->chordError == 0.0 && this->near.empty() && !this->length &&
+    this->minimum == 0.0 && this->maximum == 0.0;
 }
 
 SurfaceTargets ResolveSizes(const MeshTopology& topology,
   const std::vector<std::array<int, 2>>& twins, const std::vector<std::string>& sideNames,
-  const SurfaceSizes& sizes, double quadSize, int quadCount)
+  const std::vector<SurfaceSideRequest>& sides, const SurfaceSizes& sizes, double quadSize,
+  int quadCount)
 {
   RequireNotNegative(sizes.chordError, "The chord error");
   RequireNotNegative(sizes.minimum, "The smallest size");
@@ -183,14 +186,14 @@ SurfaceTargets ResolveSizes(const MeshTopology& topology,
     RequireNotNegative(one.size, "The size near " + DescribeInSpace(one.place));
     RequireNotNegative(one.radius, "The radius of the size near " + DescribeInSpace(one.place));
   }
-  for (const auto& [name, size] : sizes.atSides)
+  for (const SurfaceSideRequest& one : sides)
   {
-    RequireNotNegative(size, "The size at '" + name + "'");
+    RequireNotNegative(one.size, "The size at '" + one.side + "'");
   }
   if (!(sizes.growth > 1.0))
   {
     throw Error("The growth of sizes must be above 1.");
   }
-  return SizeResolver(topology, twins, sideNames, sizes).Resolve(quadSize, quadCount);
+  return SizeResolver(topology, twins, sideNames, sides, sizes).Resolve(quadSize, quadCount);
 }
 }

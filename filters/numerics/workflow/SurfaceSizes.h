@@ -1,11 +1,10 @@
 #pragma once
 
-#include "SurfaceTargets.h"
+#include "SurfaceQuads.h"
 
 #include <array>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace crossfield
@@ -17,7 +16,6 @@ struct SurfaceSizes
   /// Largest distance of the centres of quads from the surface.
   double chordError = 0.0;
   std::vector<SurfaceSizeNear> near;
-  std::vector<std::pair<std::string, double>> atSides; ///< By the names of sides and lines.
   std::function<double(const SpacePoint&)>
     length; ///< Prescribed sizes on the surface; empty: none.
   double minimum = 0.0;
@@ -31,8 +29,9 @@ struct SurfaceSizes
 /// Returns the target sizes that a request has on a surface (docs/method.md §22.13): the size elsewhere is `quadSize`, or
 /// such that there are `quadCount` quads; if both are 0, it is that of DefaultQuads, and with prescribed sizes or a chord
 /// error as these need. `twins` are the vertices at the same place on both sides of lines between faces, where
-/// sizes are equal, and `sideNames` the names of entries of mesh.boundary. Throws Error if a size is not a positive number.
+/// sizes are equal, and `sideNames` the names of entries of mesh.boundary, at which sizes of `sides` are. Throws Error if a size is not a positive number.
 SurfaceTargets ResolveSizes(const MeshTopology& topology,
   const std::vector<std::array<int, 2>>& twins, const std::vector<std::string>& sideNames,
-  const SurfaceSizes& sizes, double quadSize, int quadCount);
+  const std::vector<SurfaceSideRequest>& sides, const SurfaceSizes& sizes, double quadSize,
+  int quadCount);
 }

@@ -1,4 +1,5 @@
 #include "Support.h"
+#include "SurfaceChoice.h"
 #include "SurfaceQuadWorkflow.h"
 #include "SurfaceTopology.h"
 #include "Surfaces.h"
@@ -90,24 +91,32 @@ TEST(SurfaceQuadWorkflow, ChoosesSingularities)
     Error::Kind::Inconsistent));
 }
 
+/// Returns a sphere or, for every third seed, a torus with waves.
+SurfaceMesh SmoothSurface(unsigned seed)
+{
+  Random random(seed);
+  const bool isTorus = seed % 3 == 0;
+  SurfaceMesh surface = isTorus ? Torus(2.5, 60, 24) : CubedSphere(12);
+  const double size = isTorus ? 3.5 : 1.0;
+  for (int wave = 0; wave < 6; ++wave)
+  {
+    const SpacePoint along(
+      random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0));
+    const double height = random.Uniform(-0.08, 0.08);
+    for (SpacePoint& point : surface.points)
+    {
+      point *= 1.0 + height * std::sin(along.dot(point) / size + wave);
+    }
+  }
+  return surface;
+}
+
 TEST(SurfaceQuadWorkflow, MakesGoodQuadsOfSmoothSurfacesAtRandom)
 {
   for (unsigned seed = 611; seed < 623; ++seed)
   {
-    Random random(seed);
     const bool isTorus = seed % 3 == 0;
-    SurfaceMesh surface = isTorus ? Torus(2.5, 60, 24) : CubedSphere(12);
-    const double size = isTorus ? 3.5 : 1.0;
-    for (int wave = 0; wave < 6; ++wave)
-    {
-      const SpacePoint along(
-        random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0));
-      const double height = random.Uniform(-0.08, 0.08);
-      for (SpacePoint& point : surface.points)
-      {
-        point *= 1.0 + height * std::sin(along.dot(point) / size + wave);
-      }
-    }
+    const SurfaceMesh surface = SmoothSurface(seed);
     SurfaceRequest request;
     request.quadCount = 1500;
     const QuadWorkflowResult result = MakeQuadsOfSurface(surface, request);
@@ -115,6 +124,27 @@ TEST(SurfaceQuadWorkflow, MakesGoodQuadsOfSmoothSurfacesAtRandom)
     EXPECT_EQ(result.quads.quality.inverted, 0) << seed;
     EXPECT_GT(result.quads.quality.jacobian.min, 0.5) << seed;
   }
+}
+
+TEST(SurfaceQuadWorkflow, MovesSingularitiesWhereThisIsBetter)
+{
+  int moved = 0;
+  for (unsigned seed = 611; seed < 623; ++seed)
+  {
+    const SurfaceMesh surface = SmoothSurface(seed);
+    SurfaceRequest request;
+    const QuadWorkflowResult best = MakeQuadsOfSurface(surface, request);
+    request.singularities = ChooseSurfaceSingularities(surface, request.featureAngle);
+    const QuadWorkflowResult chosen = MakeQuadsOfSurface(surface, request);
+    const Range& jacobian = best.quads.quality.jacobian;
+    const Range& before = chosen.quads.quality.jacobian;
+    const bool isSame = jacobian.min == before.min && jacobian.mean == before.mean;
+    EXPECT_EQ(best.events.size(), isSame ? 0u : 1u) << seed;
+    EXPECT_GE(jacobian.min, before.min - 0.01) << seed;
+    EXPECT_TRUE(jacobian.min > before.min || jacobian.mean >= before.mean) << seed;
+    moved += isSame ? 0 : 1;
+  }
+  EXPECT_GT(moved, 3);
 }
 
 TEST(SurfaceQuadWorkflow, DividesCoarseTriangles)
