@@ -194,14 +194,12 @@ RelaxedCounts SolveRelaxedCounts(
 }
 }
 
-EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem)
+EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem, int maximumFlows)
 {
   EdgeCounts best;
-  // A few flows suffice in all cases tried; each takes milliseconds with hundreds of arcs.
-  constexpr int MaximumFlows = 200;
   std::vector<Branch> open = { { 0.0, problem.lower, std::vector<int>(problem.Count(), -1) } };
   std::vector<int> fallback;
-  while (!open.empty() && best.nodes < MaximumFlows)
+  while (!open.empty() && best.nodes < maximumFlows)
   {
     // The lowest cost, and of equal ones the last. If the last one were searched first, counts could
     // rise without end, where an odd number goes around a domain with many equal parts.

@@ -50,12 +50,13 @@ public:
     this->SetBest(std::move(start));
   }
 
-  EdgeCounts Run(int maximumNodes)
+  EdgeCounts Run(const BranchLimits& limits)
   {
     constexpr int MaximumRounds = 20; // later ones hardly raise the bound
-    this->RoundsOfCuts = std::min(maximumNodes, MaximumRounds);
+    this->RoundsOfCuts = std::min(limits.nodes, MaximumRounds);
+    this->MinimumRise = limits.minimumRise;
     bool isOpen = this->SolveRoot();
-    while (isOpen && this->Best.nodes < maximumNodes && !this->IsFinished())
+    while (isOpen && this->Best.nodes < limits.nodes && !this->IsFinished())
     {
       ++this->Best.nodes;
       const bool divided = this->Visit();
@@ -112,18 +113,25 @@ private:
     this->Backtracks = 0;
     this->Present = {};
     this->Program.SetNodeBounds({});
+    double before = 0.0;
     for (int round = 0; round <= this->RoundsOfCuts; ++round)
     {
       if (!this->SolveSeparated())
       {
         return false;
       }
-      this->RootBound = std::max(this->RootBound, this->Program.GetCost());
+      const double cost = this->Program.GetCost();
+      this->RootBound = std::max(this->RootBound, cost);
       this->Program.TightenBounds();
-      if (this->IsIntegral() || round == this->RoundsOfCuts || !this->Program.AddCuts())
+      // Without a minimum, the rounds go on even where dropped cuts have lowered the bound.
+      const bool isSmall =
+        round > 0 && this->MinimumRise > 0.0 && cost - before < this->MinimumRise * cost;
+      const bool isLast = isSmall || round == this->RoundsOfCuts;
+      if (isLast || this->IsIntegral() || !this->Program.AddCuts())
       {
         break;
       }
+      before = cost;
     }
     this->RootRows = this->Rows.size();
     this->RootRelaxation.clear();
@@ -299,6 +307,7 @@ private:
   double RootBound = -std::numeric_limits<double>::infinity();
   std::size_t RootRows = 0;
   int RoundsOfCuts = 0;
+  double MinimumRise = 0.0;
   bool IsUnsolved = false;
   bool IsFirstWanted = false;
   Node Present;
@@ -323,11 +332,11 @@ void BranchAndCut::AddRow(const SeparationRow& row)
   this->Rows.push_back(row);
 }
 
-EdgeCounts BranchAndCut::Solve(int maximumNodes, const Separate& separate)
+EdgeCounts BranchAndCut::Solve(const BranchLimits& limits, const Separate& separate)
 {
   this->RootRelaxation.clear();
   return Search(
     this->Problem, this->Program, this->Rows, this->RootRelaxation, separate, this->Start)
-    .Run(maximumNodes);
+    .Run(limits);
 }
 }

@@ -29,7 +29,7 @@ std::vector<int> Solve(const QuantisationProblem& problem)
       tree.AddRow({ { { chord, 1 } }, 1 });
     }
     return tree
-      .Solve(MaximumNodes, [](const std::vector<int>&) { return std::vector<SeparationRow>(); })
+      .Solve({ MaximumNodes }, [](const std::vector<int>&) { return std::vector<SeparationRow>(); })
       .counts;
   };
   const std::vector<int> first = search({});

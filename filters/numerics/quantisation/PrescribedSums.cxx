@@ -210,7 +210,7 @@ std::optional<std::vector<int>> FindFeasibleCounts(
   {
     EdgeCounts found =
       BranchAndCut(problem, all, {})
-        .Solve(MaximumNodes,
+        .Solve({ MaximumNodes },
           [&](const std::vector<int>& counts)
           {
             std::vector<SeparationRow> rows;

@@ -3,6 +3,7 @@
 #include "BidirectedFlow.h"
 #include "Error.h"
 #include "PrescribedSums.h"
+#include "Relaxation.h"
 #include "Separation.h"
 #include "Stopwatch.h"
 #include "Subproblem.h"
@@ -66,6 +67,11 @@ struct SearchLimits
   int nodes = 0;          ///< Nodes of each search of the full problem.
   int rounds = 0;
   double gap = 0.0; ///< Counts that cost at most 1 + gap times as much as any end the search.
+  int flows = MaximumFlows;
+
+  /// Returns the limits of a search with a number of nodes. Rounds of cuts raise the bound by less and less, and take
+  /// most of the time: they end once ten more could not close the gap.
+  BranchLimits Branch(int maximumNodes) const { return { maximumNodes, 0.1 * this->gap }; }
 };
 
 SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort, bool isContinued)
@@ -85,6 +91,9 @@ SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort, 
     // be compared. Fewer per cent change these no more.
     limits.rounds = 6;
     limits.gap = isQuick ? 0.03 : 0.01;
+    // Each flow takes longer than one of fewer arcs, and branch and cut starts with counts of any cost.
+    constexpr int ArcsTimesFlows = 50000;
+    limits.flows = std::clamp(ArcsTimesFlows / static_cast<int>(problem.Count()), 1, MaximumFlows);
   }
   return limits;
 }
@@ -146,8 +155,8 @@ private:
   /// Searches with all arcs free.
   void SearchAll(int maximumNodes, EdgeCounts& best, std::vector<double>& relaxed)
   {
-    EdgeCounts full = SolveSubproblem(
-      this->Mesh, this->Problem, this->AllArcs, maximumNodes, best, this->Rows, &relaxed);
+    EdgeCounts full = SolveSubproblem(this->Mesh, this->Problem, this->AllArcs,
+      this->Limits.Branch(maximumNodes), best, this->Rows, &relaxed);
     best.bound = std::max(best.bound, full.bound);
     best.nodes += full.nodes;
     ReplaceIfCheaper(best, std::move(full));
@@ -196,8 +205,9 @@ private:
           return std::abs(relaxed[arc] - best.counts[arc]) > Same;
         });
       isImproved = !free.empty() &&
-        ReplaceIfCheaper(
-          best, SolveSubproblem(this->Mesh, this->Problem, free, MaximumNodes, best, this->Rows));
+        ReplaceIfCheaper(best,
+          SolveSubproblem(
+            this->Mesh, this->Problem, free, this->Limits.Branch(MaximumNodes), best, this->Rows));
     }
   }
 
@@ -207,14 +217,12 @@ private:
   std::vector<int> AllArcs;
   std::vector<SeparationRow>& Rows;
 };
-}
 
-EdgeCounts Quantise(
-  const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort, KnownCounts* known)
+/// Returns the optimal flow, with counts that may cost more if points coincide in it.
+EdgeCounts SeparatedFlow(const TMesh& mesh, const QuantisationProblem& problem,
+  const QuantisationProblem& flow, int maximumFlows)
 {
-  Stopwatch stopwatch;
-  const QuantisationProblem flow = WithSumsAsEquations(problem);
-  EdgeCounts best = SolveBidirectedFlow(flow);
+  EdgeCounts best = SolveBidirectedFlow(flow, maximumFlows);
   best.nodes = 0; // only nodes of branch and cut are counted
   if (!flow.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
   {
@@ -225,21 +233,70 @@ EdgeCounts Quantise(
     }
     best.cost = flow.Cost(best.counts);
   }
+  return best;
+}
+}
+
+EdgeCounts Quantise(
+  const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort, KnownCounts* known)
+{
+  Stopwatch stopwatch;
+  const QuantisationProblem flow = WithSumsAsEquations(problem);
   KnownCounts none;
   KnownCounts& start = known != nullptr ? *known : none;
-  if (!start.counts.empty() && problem.IsFeasible(start.counts) &&
-    flow.Cost(start.counts) < best.cost)
+  const bool isStarted = !start.counts.empty() && problem.IsFeasible(start.counts);
+  EdgeCounts best;
+  // Where rows were needed for other targets, the flow violates them for these too, and the relaxation with the rows
+  // bounds the cost more tightly.
+  if (!isStarted || start.rows.empty())
+  {
+    best = SeparatedFlow(mesh, problem, flow, LimitsFor(flow, effort, known != nullptr).flows);
+  }
+  if (isStarted && (best.counts.empty() || flow.Cost(start.counts) < best.cost))
   {
     best.counts = start.counts;
     best.cost = flow.Cost(best.counts);
   }
-  if (!best.IsProved())
+  const auto search = [&](SearchEffort with)
   {
-    RoundSearch(mesh, flow, LimitsFor(flow, effort, known != nullptr), start.rows).Run(best);
+    if (!best.IsProved())
+    {
+      RoundSearch(mesh, flow, LimitsFor(flow, with, known != nullptr), start.rows).Run(best);
+    }
+  };
+  if (known != nullptr && !isStarted && effort == SearchEffort::Thorough)
+  {
+    // Most rows are found while counts are poor, with a few nodes as well as with many.
+    const double flowBound = best.bound;
+    search(SearchEffort::Quick);
+    best.bound = best.IsProved() ? best.bound : flowBound;
   }
+  search(effort);
   start.counts = best.counts;
   best.optimal = best.IsProved();
   best.seconds = stopwatch.Lap();
   return best;
+}
+
+std::vector<double> RelaxCounts(const QuantisationProblem& problem, const KnownCounts& known)
+{
+  const QuantisationProblem flow = WithSumsAsEquations(problem);
+  std::vector<int> all(flow.Count());
+  std::iota(all.begin(), all.end(), 0);
+  Relaxation relaxation(flow, all, {});
+  for (const SeparationRow& row : known.rows)
+  {
+    relaxation.AddRow(row);
+  }
+  if (relaxation.Solve() != SolveStatus::Optimal)
+  {
+    return { known.counts.begin(), known.counts.end() };
+  }
+  std::vector<double> relaxed;
+  for (const int arc : all)
+  {
+    relaxed.push_back(relaxation.GetCount(arc));
+  }
+  return relaxed;
 }
 }

@@ -1,6 +1,5 @@
 #include "Subproblem.h"
 
-#include "BranchAndCut.h"
 #include "Separation.h"
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 namespace crossfield
 {
 EdgeCounts SolveSubproblem(const TMesh& mesh, const QuantisationProblem& problem,
-  const std::vector<int>& free, int maximumNodes, const EdgeCounts& best,
+  const std::vector<int>& free, const BranchLimits& limits, const EdgeCounts& best,
   std::vector<SeparationRow>& rows, std::vector<double>* rootRelaxation)
 {
   std::vector<char> isFree(problem.Count(), 0);
@@ -28,7 +27,7 @@ EdgeCounts SolveSubproblem(const TMesh& mesh, const QuantisationProblem& problem
     }
   }
   const auto known = static_cast<std::ptrdiff_t>(search.GetRows().size());
-  EdgeCounts found = search.Solve(maximumNodes,
+  EdgeCounts found = search.Solve(limits,
     [&](const std::vector<int>& counts)
     {
       std::vector<SeparationRow> violated;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BranchAndCut.h"
 #include "EdgeCounts.h"
 #include "QuantisationProblem.h"
 #include "SeparationRow.h"
@@ -14,7 +15,7 @@ namespace crossfield
 /// counts that satisfy the rows and agree with `best` on the other arcs. `rootRelaxation`, if
 /// given, receives the relaxed counts at the root, or nothing if the search ended there.
 EdgeCounts SolveSubproblem(const TMesh& mesh, const QuantisationProblem& problem,
-  const std::vector<int>& free, int maximumNodes, const EdgeCounts& best,
+  const std::vector<int>& free, const BranchLimits& limits, const EdgeCounts& best,
   std::vector<SeparationRow>& rows, std::vector<double>* rootRelaxation = nullptr);
 
 /// Replaces counts and cost of `best` by those of `found` if these cost less. Returns whether they

@@ -151,7 +151,8 @@ void ImproveInWindows(const TMesh& mesh, const QuantisationProblem& problem, std
     }
     for (const Window& window : windows.Cover(problem, best.counts, size))
     {
-      ReplaceIfCheaper(best, SolveSubproblem(mesh, problem, window.arcs, MaximumNodes, best, rows));
+      ReplaceIfCheaper(
+        best, SolveSubproblem(mesh, problem, window.arcs, { MaximumNodes }, best, rows));
     }
     Rebalance(mesh, problem, best);
   }

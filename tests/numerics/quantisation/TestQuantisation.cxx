@@ -332,7 +332,7 @@ TEST(Quantisation, KeepsLowerBounds)
     std::iota(all.begin(), all.end(), 0);
     const EdgeCounts free =
       BranchAndCut(problem, all, {})
-        .Solve(100, [](const std::vector<int>&) { return std::vector<SeparationRow>(); });
+        .Solve({ 100 }, [](const std::vector<int>&) { return std::vector<SeparationRow>(); });
     ASSERT_FALSE(free.counts.empty());
     EXPECT_TRUE(problem.IsFeasible(free.counts));
     EXPECT_NEAR(free.cost, problem.Cost(free.counts), CostRounding(free.cost));
@@ -434,7 +434,7 @@ TEST(Relaxation, CutsKeepIntegerSolutions)
     std::vector<SeparationRow> rows;
     ImproveInWindows(mesh, problem, 100, found, rows);
     const std::vector<int> all = AllArcs(problem);
-    ReplaceIfCheaper(found, SolveSubproblem(mesh, problem, all, 1000, found, rows));
+    ReplaceIfCheaper(found, SolveSubproblem(mesh, problem, all, { 1000 }, found, rows));
     Relaxation relaxation(problem, all, found.counts);
     for (const SeparationRow& row : rows)
     {
@@ -494,13 +494,13 @@ TEST(BranchAndCut, KeepsArcsThatAreNotFree)
   const std::vector<int> some(
     all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2));
   const auto isSeparated = [](const std::vector<int>&) { return std::vector<SeparationRow>(); };
-  const EdgeCounts inHalf = BranchAndCut(problem, some, start).Solve(1000, isSeparated);
+  const EdgeCounts inHalf = BranchAndCut(problem, some, start).Solve({ 1000 }, isSeparated);
   EXPECT_TRUE(problem.IsFeasible(inHalf.counts));
   EXPECT_TRUE(std::equal(inHalf.counts.begin() + static_cast<std::ptrdiff_t>(some.size()),
     inHalf.counts.end(), start.begin() + static_cast<std::ptrdiff_t>(some.size())));
   EXPECT_LE(inHalf.cost, problem.Cost(start) + CostRounding(inHalf.cost));
   EXPECT_NEAR(inHalf.cost, problem.Cost(inHalf.counts), CostRounding(inHalf.cost));
-  const EdgeCounts inAll = BranchAndCut(problem, all, start).Solve(1000, isSeparated);
+  const EdgeCounts inAll = BranchAndCut(problem, all, start).Solve({ 1000 }, isSeparated);
   EXPECT_NEAR(inAll.cost, SolveBidirectedFlow(problem).cost, CostRounding(inAll.cost));
   EXPECT_LE(inAll.cost, inHalf.cost + CostRounding(inHalf.cost));
 }
