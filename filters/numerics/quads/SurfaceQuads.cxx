@@ -88,9 +88,7 @@ public:
     try
     {
       KnownCounts known;
-      result.counts = this->Search([&](double size, SearchEffort effort)
-        { return this->CountsFor(size, effort, known); },
-        progress.Part(0.0, 0.4));
+      result.counts = this->SearchKnown(known, progress.Part(0.0, 0.4));
     }
     catch (const Error&)
     {
@@ -203,6 +201,21 @@ private:
   {
     return SearchCounts(this->Separatrices, this->Options.quadSize, this->Options.quadCount,
       this->Area, countsOf, progress);
+  }
+
+  /// Searches with what other sizes have found.
+  EdgeCounts SearchKnown(KnownCounts& known, const Progress& progress) const
+  {
+    const auto countsOf = [&](double size, SearchEffort effort)
+    { return this->CountsFor(size, effort, known); };
+    if (this->Options.quadSize > 0.0)
+    {
+      return this->Search(countsOf, progress);
+    }
+    const auto estimate = [&](double size)
+    { return CountQuads(this->Separatrices, RelaxCounts(this->ProblemFor(size), known)); };
+    return SearchCountsByEstimates(
+      this->Separatrices, this->Options.quadCount, this->Area, countsOf, estimate, progress);
   }
 
   QuantisationProblem ProblemFor(double size) const

@@ -12,14 +12,14 @@ constexpr int MaximumSizes = 20;
 /// Relative error that ends the search at once; after a few sizes CountTolerance does.
 constexpr double FineTolerance = 0.01;
 constexpr int FewSizes = 6;
-}
 
-long long CountQuads(const TMesh& mesh, const std::vector<int>& counts)
+template <class Number, class Count>
+Number SumOfPatches(const TMesh& mesh, const std::vector<Count>& counts)
 {
-  long long quads = 0;
+  Number quads = 0;
   for (const TPatch& patch : mesh.patches)
   {
-    long long sides[2] = { 0, 0 };
+    Number sides[2] = { 0, 0 };
     for (const std::size_t side : { std::size_t(0), std::size_t(1) })
     {
       for (const int half : patch.sides[side])
@@ -32,29 +32,25 @@ long long CountQuads(const TMesh& mesh, const std::vector<int>& counts)
   return quads;
 }
 
-EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
-  const std::function<EdgeCounts(double)>& countsOf, const Progress& progress)
+/// Searches as SearchSize does, with numbers of quads instead of counts, and returns the best size.
+double NearestSize(double requested, double first,
+  const std::function<double(double size)>& quadsOf, const Progress& progress)
 {
-  EdgeCounts best;
+  double best = first;
   double smallestError = -1.0;
   double tooMany = 0.0; // sizes; 0 if there is none yet
   double tooFew = 0.0;
   double size = first;
-  double seconds = 0.0;
   for (int tried = 0; tried < MaximumSizes; ++tried)
   {
     progress.Report(static_cast<double>(tried) / MaximumSizes);
-    EdgeCounts counts = countsOf(size);
-    seconds += counts.seconds;
-    const long long quads = CountQuads(mesh, counts.counts);
-    const double ratio = static_cast<double>(quads) / requested;
+    const double ratio = quadsOf(size) / requested;
     const double error = std::abs(ratio - 1.0);
     (ratio > 1.0 ? tooMany : tooFew) = size;
     if (smallestError < 0.0 || error < smallestError)
     {
       smallestError = error;
-      best = std::move(counts);
-      best.size = size;
+      best = size;
     }
     if (smallestError <= FineTolerance ||
       (smallestError <= CountTolerance && tried + 1 >= FewSizes))
@@ -83,6 +79,39 @@ EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
       }
     }
   }
+  return best;
+}
+}
+
+long long CountQuads(const TMesh& mesh, const std::vector<int>& counts)
+{
+  return SumOfPatches<long long>(mesh, counts);
+}
+
+double CountQuads(const TMesh& mesh, const std::vector<double>& relaxed)
+{
+  return SumOfPatches<double>(mesh, relaxed);
+}
+
+EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
+  const std::function<EdgeCounts(double)>& countsOf, const Progress& progress)
+{
+  EdgeCounts best;
+  double seconds = 0.0;
+  const auto quadsOf = [&](double size)
+  {
+    EdgeCounts counts = countsOf(size);
+    counts.size = size;
+    seconds += counts.seconds;
+    const auto quads = static_cast<double>(CountQuads(mesh, counts.counts));
+    if (best.counts.empty() ||
+      CountError(mesh, counts, requested) < CountError(mesh, best, requested))
+    {
+      best = std::move(counts);
+    }
+    return quads;
+  };
+  NearestSize(requested, first, quadsOf, progress);
   best.seconds = seconds;
   return best;
 }
@@ -110,6 +139,48 @@ EdgeCounts SearchCounts(const TMesh& mesh, double size, int requested, double ar
   thorough.seconds = found.seconds += thorough.seconds; // of both, whichever is returned
   const double error = CountError(mesh, thorough, requested);
   return error <= CountTolerance || error <= CountError(mesh, found, requested) ? thorough : found;
+}
+
+EdgeCounts SearchCountsByEstimates(const TMesh& mesh, int requested, double area,
+  const std::function<EdgeCounts(double size, SearchEffort effort)>& countsOf,
+  const std::function<double(double size)>& estimate, const Progress& progress)
+{
+  constexpr int MaximumSolutions = 4;
+  const auto partOf = [&progress](int solution)
+  {
+    return progress.Part(static_cast<double>(solution) / MaximumSolutions,
+      static_cast<double>(solution + 1) / MaximumSolutions);
+  };
+  const double first = std::sqrt(area / requested);
+  EdgeCounts best = countsOf(first, SearchEffort::Quick);
+  if (best.optimal)
+  {
+    return SearchCounts(mesh, 0.0, requested, area, countsOf, progress);
+  }
+  best.size = first;
+  double seconds = best.seconds;
+  double size = first;
+  double estimated = requested; // the number of estimates that stands for the requested one
+  for (int solution = 1; solution < MaximumSolutions; ++solution)
+  {
+    size = NearestSize(estimated, size, estimate, partOf(solution));
+    EdgeCounts counts = countsOf(size, SearchEffort::Thorough);
+    counts.size = size;
+    seconds += counts.seconds;
+    const auto quads = static_cast<double>(CountQuads(mesh, counts.counts));
+    const double error = CountError(mesh, counts, requested);
+    if (error <= std::max(CountTolerance, CountError(mesh, best, requested)))
+    {
+      best = std::move(counts);
+    }
+    if (error <= CountTolerance)
+    {
+      break;
+    }
+    estimated = requested * estimate(size) / quads;
+  }
+  best.seconds = seconds;
+  return best;
 }
 
 double CountError(const TMesh& mesh, const EdgeCounts& counts, int requested)

@@ -8,6 +8,8 @@ namespace crossfield
 {
 /// Returns the number of quads of a T-mesh with edge counts.
 long long CountQuads(const TMesh& mesh, const std::vector<int>& counts);
+/// Returns that of relaxed counts, Σ a · b over the patches, a and b the sums of two adjacent sides.
+double CountQuads(const TMesh& mesh, const std::vector<double>& relaxed);
 
 /// Relative tolerance of a requested number of quads.
 constexpr double CountTolerance = 0.05;
@@ -25,6 +27,15 @@ EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
 EdgeCounts SearchCounts(const TMesh& mesh, double size, int requested, double area,
   const std::function<EdgeCounts(double size, SearchEffort effort)>& countsOf,
   const Progress& progress = {});
+
+/// Searches as SearchCounts does without a size, for edge counts that take long. A quick solution of the first size finds
+/// separation rows, which `countsOf` stores. Further sizes are tried by `estimate` alone: the number of quads of a
+/// relaxation with these rows. A thorough solution follows for the size found. While it misses the requested number by
+/// more than CountTolerance, at most twice more, estimates are multiplied by the ratio of its number and its estimate.
+/// If the first solution is optimal, edge counts take little time, and SearchCounts is used.
+EdgeCounts SearchCountsByEstimates(const TMesh& mesh, int requested, double area,
+  const std::function<EdgeCounts(double size, SearchEffort effort)>& countsOf,
+  const std::function<double(double size)>& estimate, const Progress& progress = {});
 
 /// Returns |number of quads / requested number − 1|.
 double CountError(const TMesh& mesh, const EdgeCounts& counts, int requested);

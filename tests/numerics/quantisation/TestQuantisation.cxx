@@ -9,6 +9,7 @@
 #include "RepeatedEdges.h"
 #include "SeamlessMapSolve.h"
 #include "Separation.h"
+#include "SizeSearch.h"
 #include "Subproblem.h"
 #include "Support.h"
 #include "TMeshPatches.h"
@@ -363,6 +364,98 @@ TEST(Quantisation, ContinuesFromAnotherSize)
 }
 
 /// Only arcs that are two edges between the same points are repeated, not those on both sides of a patch of zero
+/// Sizes that are tried by estimates give the requested number of quads with few solutions, also if all estimates are
+/// too large, and the same counts every time.
+TEST(SizeSearch, TriesSizesByEstimates)
+{
+  Random random(31);
+  int estimates = 0;
+  for (int sample = 0; sample < 3; ++sample)
+  {
+    SCOPED_TRACE(sample);
+    const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 14), 0.06);
+    std::vector<double> lengths;
+    for (const TArc& arc : mesh.arcs)
+    {
+      lengths.push_back(arc.length);
+    }
+    const double area = CountQuads(mesh, lengths);
+    constexpr int Requested = 400;
+    int solutions = 0;
+    const auto search = [&](double factor)
+    {
+      KnownCounts known;
+      solutions = 0;
+      return SearchCountsByEstimates(
+        mesh, Requested, area,
+        [&](double size, SearchEffort effort)
+        {
+          ++solutions;
+          EdgeCounts counts = Quantise(mesh, MakeQuantisationProblem(mesh, size), effort, &known);
+          counts.optimal = false; // as of a problem that takes long
+          return counts;
+        },
+        [&](double size)
+        {
+          ++estimates;
+          return factor * CountQuads(mesh, RelaxCounts(MakeQuantisationProblem(mesh, size), known));
+        });
+    };
+    const EdgeCounts found = search(1.0);
+    EXPECT_LE(CountError(mesh, found, Requested), CountTolerance);
+    EXPECT_TRUE(MakeQuantisationProblem(mesh, found.size).IsFeasible(found.counts));
+    EXPECT_TRUE(FindViolations(mesh, found.counts).empty());
+    EXPECT_LE(solutions, 4);
+    EXPECT_EQ(search(1.0).counts, found.counts);
+    EXPECT_LE(CountError(mesh, search(1.3), Requested), CountTolerance);
+  }
+  EXPECT_GT(estimates, 0);
+}
+
+/// The relaxation with the rows that a search has found costs at most as much as its counts, and more than without them.
+TEST(Quantisation, RelaxesWithKnownRows)
+{
+  Random random(32);
+  const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 14), 0.06);
+  KnownCounts known;
+  Quantise(mesh, MakeQuantisationProblem(mesh, 0.1), SearchEffort::Thorough, &known);
+  ASSERT_FALSE(known.rows.empty());
+  const QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.12);
+  const EdgeCounts next = Quantise(mesh, problem, SearchEffort::Thorough, &known);
+  const auto costOf = [&problem](const std::vector<double>& counts)
+  {
+    double cost = 0.0;
+    for (std::size_t a = 0; a < problem.Count(); ++a)
+    {
+      cost += problem.weight[a] * std::abs(counts[a] - problem.target[a]);
+    }
+    return cost;
+  };
+  const double cost = costOf(RelaxCounts(problem, known));
+  EXPECT_LE(cost, next.cost + CostRounding(next.cost));
+  EXPECT_GT(cost, costOf(RelaxCounts(problem, {})));
+}
+
+/// Rounds of cuts that raise the bound by little may be left out; the bound stays one.
+TEST(BranchAndCut, EndsRoundsOfCutsThatRaiseTheBoundByLittle)
+{
+  Random random(99);
+  const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 14), 0.06);
+  const QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.12);
+  EdgeCounts start = FlowFrom(problem, 1);
+  std::vector<SeparationRow> rows;
+  ImproveInWindows(mesh, problem, 100, start, rows);
+  const EdgeCounts best = Quantise(mesh, problem, SearchEffort::Thorough);
+  const std::vector<int> all = AllArcs(problem);
+  const auto boundWith = [&](double minimumRise)
+  {
+    std::vector<SeparationRow> used = rows;
+    return SolveSubproblem(mesh, problem, all, { 20, minimumRise }, start, used).bound;
+  };
+  EXPECT_LE(boundWith(0.01), best.cost + CostRounding(best.cost));
+  EXPECT_LE(boundWith(0.0), best.cost + CostRounding(best.cost));
+}
+
 /// width.
 TEST(RepeatedEdges, AreDifferentEdges)
 {
