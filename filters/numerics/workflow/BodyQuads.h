@@ -1,7 +1,7 @@
 #pragma once
 
 #include "JoinedParts.h"
-#include "SurfaceQuadWorkflow.h"
+#include "SurfaceRequest.h"
 
 namespace crossfield
 {

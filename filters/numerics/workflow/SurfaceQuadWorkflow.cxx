@@ -75,13 +75,6 @@ SurfaceMesh RefinedParts(const SurfaceMesh& surface, double length)
 }
 }
 
-bool SurfaceRequest::HasSizes() const
-{
-  return !this->sizes.IsEmpty() ||
-    std::any_of(this->sides.begin(), this->sides.end(),
-      [](const SurfaceSideRequest& one) { return one.size > 0.0; });
-}
-
 QuadWorkflowResult MakeQuadsOfSurface(
   const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
 {
