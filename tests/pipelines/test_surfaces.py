@@ -2,10 +2,14 @@
 import json
 import math
 import pathlib
+import re
+import shutil
 import struct
+import subprocess
+import sys
 import unittest
 
-from program import ProgramTest
+from program import PROGRAM, ProgramTest
 
 
 def sphere(n=6):
@@ -277,6 +281,18 @@ class Surfaces(ProgramTest):
         result = self.run_program("quads", "builtin:square", "--chord-error", "0.1", "-o", "none.vtu")
         self.assertEqual(result.returncode, 2)
         self.assertIn("no chord error", result.stderr)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_example_of_pinched_shells(self):
+        """The script of the example: displacements within 1 % of the literature's, and of those of mapped meshes."""
+        script = DOCS.parents[1] / "examples/pinched_shells/shells.py"
+        output = subprocess.run([sys.executable, script, "--program", PROGRAM, "--quads", "1200"], stdout=subprocess.PIPE,
+                                text=True, check=True).stdout
+        rows = re.findall(r"irregular nodes (.*), displacement over the literature's (.*); mapped mesh of \d+: (.*)", output)
+        self.assertEqual([row[0] for row in rows], ["{}", "{'3': 4}"])
+        for _, ours, mapped in rows:
+            self.assertLess(abs(float(ours) - 1), 0.01)
+            self.assertLess(abs(float(ours) - float(mapped)), 0.01)
 
     def test_order_two_on_sharp_edges(self):
         def on_can(place):
