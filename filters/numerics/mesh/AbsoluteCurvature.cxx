@@ -1,8 +1,7 @@
 #include "AbsoluteCurvature.h"
 
 #include "Index.h"
-
-#include <Eigen/Geometry>
+#include "TriangleBending.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +15,7 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/// A symmetric tensor T/2 I + the one with the eigenvalues ±|D| and the larger one in half the direction of D, times
-/// an area.
+/// The tensor T/2 I + D times an area: D has the eigenvalues ±|D|, the larger one along half the argument of D.
 struct Bending
 {
   double trace = 0.0;
@@ -32,29 +30,12 @@ struct Bending
   }
 };
 
-Bending BendingOf(const MeshTopology& topology, int triangle)
+Bending TensorOf(const MeshTopology& topology, int triangle)
 {
-  const SpacePoint normal = topology.NormalOf(triangle);
-  const auto& v = topology.mesh.triangles[Index(triangle)];
-  Bending bending;
-  for (int side = 0; side < 3; ++side)
-  {
-    const int neighbour = topology.Neighbour(triangle, side);
-    if (neighbour < 0)
-    {
-      continue;
-    }
-    // A side of the boundary has no angle, and its third of the area does not count.
-    bending.area += topology.AreaOf(triangle) / 3.0;
-    const SpacePoint edge =
-      topology.PositionOf(v[Index((side + 1) % 3)]) - topology.PositionOf(v[Index(side)]);
-    const SpacePoint other = topology.NormalOf(neighbour);
-    const double angle = std::atan2(normal.cross(other).dot(edge), edge.norm() * normal.dot(other));
-    const double part = 0.5 * angle * edge.norm(); // the other half is of the neighbour
-    bending.trace += part;
-    bending.deviator -= 0.5 * part * std::polar(1.0, 2.0 * topology.DirectionOf(triangle, side));
-  }
-  return bending;
+  const TriangleBending sides = BendingOf(topology, triangle);
+  // The other half of each side is its neighbour's. A side of the boundary has no angle, and its third of the area does
+  // not count.
+  return { 0.5 * sides.sum, -0.25 * sides.directed, topology.AreaOf(triangle) * sides.sides / 3.0 };
 }
 }
 
@@ -66,7 +47,7 @@ Eigen::VectorXd AbsoluteCurvature(const MeshTopology& topology)
   std::vector<Bending> bending;
   for (int t = 0; t < topology.TriangleCount(); ++t)
   {
-    bending.push_back(BendingOf(topology, t));
+    bending.push_back(TensorOf(topology, t));
   }
   for (int sweep = 0; sweep < Sweeps; ++sweep)
   {

@@ -1,6 +1,7 @@
 #include "BestAngle.h"
 
 #include "ConeVectors.h"
+#include "TriangleBending.h"
 
 #include <Eigen/Geometry>
 
@@ -14,37 +15,6 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/// How a triangle is bent against its neighbours.
-struct Bending
-{
-  /// Σ length · angle · e^{2i direction} over its sides, in its chart: the argument is twice the direction of the
-  /// strongest curvature.
-  Complex directed = 0.0;
-  double total = 0.0; ///< Σ length · |angle|.
-};
-
-Bending BendingOf(const MeshTopology& topology, int triangle)
-{
-  const SpacePoint normal = topology.NormalOf(triangle);
-  const auto& v = topology.mesh.triangles[triangle];
-  Bending bending;
-  for (int side = 0; side < 3; ++side)
-  {
-    const int neighbour = topology.Neighbour(triangle, side);
-    if (neighbour < 0)
-    {
-      continue;
-    }
-    const SpacePoint edge = topology.PositionOf(v[(side + 1) % 3]) - topology.PositionOf(v[side]);
-    const SpacePoint other = topology.NormalOf(neighbour);
-    const double part =
-      std::atan2(normal.cross(other).dot(edge), edge.norm() * normal.dot(other)) * edge.norm();
-    bending.directed += part * std::polar(1.0, 2.0 * topology.DirectionOf(triangle, side));
-    bending.total += std::abs(part);
-  }
-  return bending;
-}
-
 /// Returns the mean of e^{4i(direction of curvature − direction of crosses)}, by how much curvatures differ: its
 /// argument is four times the angle by which crosses are to turn, and its absolute value, at most 1, is small
 /// on a sphere.
@@ -54,14 +24,14 @@ Complex PrincipalFit(const SeamlessMap& map)
   double weights = 0.0;
   for (int t = 0; t < map.topology->TriangleCount(); ++t)
   {
-    const Bending bending = BendingOf(*map.topology, t);
+    const TriangleBending bending = BendingOf(*map.topology, t);
     const double area = map.topology->AreaOf(t);
     const double strength = std::abs(bending.directed);
     if (strength > 0.0)
     {
       sum += area / strength * bending.directed * bending.directed * std::conj(CrossOf(map, t));
     }
-    weights += area * bending.total;
+    weights += area * bending.absolute;
   }
   return weights > 0.0 ? sum / weights : 0.0;
 }

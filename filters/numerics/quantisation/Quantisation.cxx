@@ -87,8 +87,8 @@ SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort, 
     isQuick ? nodes / QuickFraction : nodes, isQuick ? 1 : 3 };
   if (isContinued)
   {
-    // Counts of one size are the start for the next, so they must not be poor, or numbers of quads of sizes cannot
-    // be compared. Fewer per cent change these no more.
+    // Counts of one size are the start for the next. If they were poor, numbers of quads of different sizes could not
+    // be compared; these gaps are small enough for that.
     limits.rounds = 6;
     limits.gap = isQuick ? 0.03 : 0.01;
     // Each flow takes longer than one of fewer arcs, and branch and cut starts with counts of any cost.

@@ -12,7 +12,7 @@ namespace crossfield
 {
 namespace
 {
-/// The edges of arcs, of which those on the two sides of patches of zero width are one.
+/// Classes of the edges of arcs: edges on opposite sides of a patch of zero width are the same edge.
 class EdgeClasses
 {
 public:

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -29,7 +28,7 @@ namespace crossfield
 {
 namespace
 {
-/// Lays out a face with its singularities.
+/// Computes the layout of a face from its singularities.
 Layout LayOutCones(const ConedSurface& face, QuadSeconds& seconds, const Progress& progress)
 {
   Stopwatch clock;
@@ -42,7 +41,7 @@ Layout LayOutCones(const ConedSurface& face, QuadSeconds& seconds, const Progres
   return layout;
 }
 
-/// Chooses the singularities of a face, unless they are given, and lays it out.
+/// Chooses the singularities of a face, unless they are given, and computes its layout.
 Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSeconds& seconds,
   const Progress& progress)
 {
@@ -184,7 +183,7 @@ private:
     }
   }
 
-  /// Lays out all faces. Faces that cannot be are joined to others, and the rest is tried again.
+  /// Computes the layouts of all faces. Faces without a map are joined to others until each face has one.
   LayoutSet LayOut(const Progress& progress)
   {
     double done = 0.0;
@@ -210,7 +209,7 @@ private:
                                 : JoinFaces(this->Body, this->Names, layouts);
   }
 
-  /// Returns the layouts of those faces that can be laid out, and notes which cannot. Throws Error if these must
+  /// Returns the layouts of the faces that have a map, and marks the others in Fails. Throws Error if these must
   /// not be joined to others.
   std::vector<Layout> LayOutFaces(const Progress& progress)
   {
@@ -258,10 +257,11 @@ private:
     return this->Body.faces.size() > 1 && (this->JoinsAll || area < Few * ofQuad);
   }
 
-  /// Makes quads of requested sizes. If their number may be that which a chord error needs, and all are a little too far
-  /// from the surface because numbers of edges are integers, more are made.
+  /// Makes quads of requested sizes, which are multiplied by a factor for a requested number. Without one, if centres of
+  /// quads are a little farther from the surface than the chord error because numbers of edges are integers, there
+  /// are more quads.
   QuadResult MakeSizedQuads(const LayoutSet& layouts, const std::vector<std::string>& sideNames,
-    SurfaceQuadOptions options, const Progress& progress) const
+    SurfaceQuadOptions options, double& factor, const Progress& progress) const
   {
     constexpr double Accepted = 1.1; // of the chord error
     constexpr double Little = 1.5;   // beyond, it is a place that sizes do not show
@@ -270,19 +270,25 @@ private:
       this->Sizes, options.quadSize, options.quadCount);
     // Lines between singularities are longer or shorter than others beside them, so the number is searched for.
     const double count = options.targets.CountOn(topology);
-    options.quadSize = 0.0;
-    options.quadCount = static_cast<int>(std::max(1.0, std::round(count)));
-    QuadResult quads = MakeSurfaceQuads(layouts, options, progress.Part(0.0, 0.5));
-    const double error = this->Sizes.chordError;
-    const double distance = quads.quality.surface->maximumDistance;
-    if (this->Options.quadCount == 0 && distance > Accepted * error && distance <= Little * error)
+    const auto make = [&](double wanted, const Progress& part)
     {
-      options.quadCount = static_cast<int>(std::round(count * distance / error));
-      quads = MakeSurfaceQuads(layouts, options, progress.Part(0.5, 1.0));
+      options.quadSize = 0.0;
+      options.quadCount = static_cast<int>(std::max(1.0, std::round(wanted)));
+      factor = std::sqrt(count / wanted);
+      QuadResult quads = MakeSurfaceQuads(layouts, options, part);
       for (double& target : quads.targets)
       {
-        target *= std::sqrt(error / distance);
+        target *= factor;
       }
+      return quads;
+    };
+    const bool isFree = this->Options.quadCount == 0 || this->Options.quadSize > 0.0;
+    QuadResult quads = make(isFree ? count : this->Options.quadCount, progress.Part(0.0, 0.5));
+    const double error = this->Sizes.chordError;
+    const double distance = quads.quality.surface->maximumDistance;
+    if (isFree && distance > Accepted * error && distance <= Little * error)
+    {
+      quads = make(count * distance / error, progress.Part(0.5, 1.0));
     }
     return quads;
   }
@@ -304,12 +310,16 @@ private:
         options.sides.push_back(one);
       }
     }
-    result.quads = !this->IsSized
-      ? MakeSurfaceQuads(layouts, options, progress)
-      : this->MakeSizedQuads(layouts, names.ofEntries, options, progress);
     if (this->IsSized)
     {
+      double factor = 1.0;
+      result.quads = this->MakeSizedQuads(layouts, names.ofEntries, options, factor, progress);
       result.sizes = this->MeasureSizes(result.quads);
+      result.sizes->factor = factor;
+    }
+    else
+    {
+      result.quads = MakeSurfaceQuads(layouts, options, progress);
     }
     if (result.quads.mesh.EulerCharacteristic() != this->Body.eulerCharacteristic)
     {
@@ -347,22 +357,23 @@ private:
     {
       SizeReport::Set& set =
         report.sets.emplace_back(SizeReport::Set{ "near " + DescribeInSpace(near.place), {} });
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const bool findsNearest : { true, false })
+      std::vector<double> distances; // of centres
+      for (const std::array<int, 4>& quad : quads.mesh.quads)
       {
-        for (std::size_t q = 0; q < quads.mesh.quads.size(); ++q)
+        SpacePoint centre = SpacePoint::Zero();
+        for (const int point : quad)
         {
-          SpacePoint centre = SpacePoint::Zero();
-          for (const int point : quads.mesh.quads[q])
-          {
-            centre += 0.25 * quads.mesh.points[Index(point)].place;
-          }
-          const double distance = (centre - near.place).norm();
-          nearest = findsNearest ? std::min(nearest, distance) : nearest;
-          if (!findsNearest && distance <= std::max(near.radius, nearest))
-          {
-            set.ratios.push_back(report.samples[q].Ratio());
-          }
+          centre += 0.25 * quads.mesh.points[Index(point)].place;
+        }
+        distances.push_back((centre - near.place).norm());
+      }
+      const double reach =
+        std::max(near.radius, *std::min_element(distances.begin(), distances.end()));
+      for (std::size_t q = 0; q < distances.size(); ++q)
+      {
+        if (distances[q] <= reach)
+        {
+          set.ratios.push_back(report.samples[q].Ratio());
         }
       }
     }

@@ -21,7 +21,7 @@ void RequireNotNegative(double value, const std::string& what)
 {
   if (!(value >= 0.0) || !std::isfinite(value))
   {
-    throw Error(what + " must be a positive number.");
+    throw Error(what + " must be a positive number, or 0 for none.");
   }
 }
 
@@ -91,22 +91,17 @@ private:
   Eigen::VectorXd For(double elsewhere) const
   {
     Eigen::VectorXd sizes = (elsewhere * this->Base).cwiseMin(this->Largest);
-    // A few faces in a row, of which each limits the next.
-    constexpr int Rounds = 20;
-    for (int round = 0; round < Rounds; ++round)
+    // Each face limits its neighbours. Sizes only fall, so this ends.
+    for (bool isLowered = true; isLowered;)
     {
       sizes = LimitGrowth(this->Topology, sizes, this->Growth);
-      bool isLowered = false;
+      isLowered = false;
       for (const auto& [one, other] : this->Twins)
       {
         const double lower = std::min(sizes[one], sizes[other]);
         constexpr double Noticeable = 1e-3;
         isLowered = isLowered || std::max(sizes[one], sizes[other]) > (1.0 + Noticeable) * lower;
         sizes[one] = sizes[other] = lower;
-      }
-      if (!isLowered)
-      {
-        break;
       }
     }
     if (this->Sizes.minimum > 0.0)
@@ -183,7 +178,10 @@ SurfaceTargets ResolveSizes(const MeshTopology& topology,
   RequireNotNegative(sizes.maximum, "The largest size");
   for (const SurfaceSizeNear& one : sizes.near)
   {
-    RequireNotNegative(one.size, "The size near " + DescribeInSpace(one.place));
+    if (!(one.size > 0.0) || !std::isfinite(one.size))
+    {
+      throw Error("The size near " + DescribeInSpace(one.place) + " must be a positive number.");
+    }
     RequireNotNegative(one.radius, "The radius of the size near " + DescribeInSpace(one.place));
   }
   for (const SurfaceSideRequest& one : sides)
