@@ -237,7 +237,7 @@ crossfield::SurfaceRequest vtkQuadMesher::MakeSurfaceRequest(
   sizes.chordError = this->ChordError;
   for (const auto& [x, y, z, size, radius] : this->SizesNear)
   {
-    sizes.near.push_back({ { x, y, z }, size, radius, 0.0 });
+    sizes.near.push_back({ { x, y, z }, size, radius });
   }
   if (this->Sizing == SizingField)
   {

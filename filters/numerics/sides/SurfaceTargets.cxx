@@ -29,10 +29,11 @@ SpacePoint PlaceAt(const SeamlessMap& map, int triangle, const Point& point)
 }
 }
 
-double SurfaceSizeNear::At(double distance, double growth) const
+double NearTarget::At(double distance, double growth) const
 {
-  return distance > this->reach ? std::numeric_limits<double>::infinity()
-                                : this->size + growth * std::max(0.0, distance - this->radius);
+  return distance > this->reach
+    ? std::numeric_limits<double>::infinity()
+    : this->near.size + growth * std::max(0.0, distance - this->near.radius);
 }
 
 double SurfaceTargets::At(const MeshTopology& topology, int triangle, const SpacePoint& place) const
@@ -51,9 +52,9 @@ double SurfaceTargets::At(const MeshTopology& topology, int triangle, const Spac
     sum += weight;
   }
   size /= sum;
-  for (const SurfaceSizeNear& one : this->near)
+  for (const NearTarget& one : this->near)
   {
-    size = std::min(size, one.At((place - one.place).norm(), this->growth));
+    size = std::min(size, one.At((place - one.near.place).norm(), this->growth));
   }
   return size;
 }

@@ -15,7 +15,13 @@ struct SurfaceSizeNear
   SpacePoint place = SpacePoint::Zero();
   double size = 0.0;
   double radius = 0.0;
-  double reach = 0.0; ///< Beyond this distance, sizes at vertices show it.
+};
+
+/// The same with a distance beyond which sizes at vertices show it.
+struct NearTarget
+{
+  SurfaceSizeNear near;
+  double reach = 0.0;
 
   /// Returns the size at a distance, infinite beyond its reach.
   double At(double distance, double growth) const;
@@ -26,7 +32,7 @@ struct SurfaceSizeNear
 struct SurfaceTargets
 {
   Eigen::VectorXd sizes; ///< At vertices. Empty: those of the map.
-  std::vector<SurfaceSizeNear> near;
+  std::vector<NearTarget> near;
   double growth = 0.0; ///< Of sizes, per unit of length.
 
   bool IsEmpty() const { return this->sizes.size() == 0; }

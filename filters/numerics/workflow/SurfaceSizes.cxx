@@ -61,16 +61,16 @@ public:
         }
       }
     }
-    for (SurfaceSizeNear one : sizes.near)
+    for (const SurfaceSizeNear& near : sizes.near)
     {
       // From vertices about the place on, sizes grow along the surface.
       constexpr double About = 2.0;
       Eigen::VectorXd distance(topology.VertexCount());
       for (int vertex = 0; vertex < topology.VertexCount(); ++vertex)
       {
-        distance[vertex] = (topology.PositionOf(vertex) - one.place).norm();
+        distance[vertex] = (topology.PositionOf(vertex) - near.place).norm();
       }
-      one.reach = std::max(one.radius, About * distance.minCoeff());
+      const NearTarget one = { near, std::max(near.radius, About * distance.minCoeff()) };
       for (int vertex = 0; vertex < topology.VertexCount(); ++vertex)
       {
         this->Largest[vertex] =
@@ -156,7 +156,7 @@ private:
   const SurfaceSizes& Sizes;
   const double Growth;
   const double Area;
-  std::vector<SurfaceSizeNear> Near;
+  std::vector<NearTarget> Near;
   Eigen::VectorXd Base;
   Eigen::VectorXd Largest; ///< Infinite where nothing limits sizes.
 };

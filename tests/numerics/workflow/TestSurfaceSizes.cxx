@@ -37,7 +37,7 @@ TEST(SurfaceSizes, GrowAwayFromAPlace)
 {
   SurfaceRequest request;
   request.quadSize = 0.2;
-  request.sizes.near = { { { 0.0, 0.0, 1.0 }, 0.05, 0.1, 0.0 } };
+  request.sizes.near = { { { 0.0, 0.0, 1.0 }, 0.05, 0.1 } };
   const QuadWorkflowResult result = MakeQuadsOfSurface(CubedSphere(16), request);
   ASSERT_TRUE(result.sizes);
   ASSERT_EQ(result.sizes->sets.size(), 1u);
@@ -86,7 +86,7 @@ TEST(SurfaceSizes, AreEqualOnBothSidesOfLines)
   // Sizes of the wall of the can are limited by those of its lid.
   const SurfaceMesh can = Can(8);
   SurfaceSizes sizes;
-  sizes.near = { { { 0.0, 0.0, 1.0 }, 0.02, 0.0, 0.0 } };
+  sizes.near = { { { 0.0, 0.0, 1.0 }, 0.02, 0.0 } };
   const SurfaceTopology whole(can);
   const SurfaceTargets targets = ResolveSizes(whole, {}, {}, {}, sizes, 10.0, 0);
   for (int vertex = 0; vertex < whole.VertexCount(); ++vertex)
@@ -142,7 +142,7 @@ TEST(SurfaceSizes, AreRefused)
   request.sizes.chordError = -1.0;
   EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(sphere, request); }, { "chord error must be" }));
   request.sizes = {};
-  request.sizes.near = { { SpacePoint::Zero(), -2.0, 0.0, 0.0 } };
+  request.sizes.near = { { SpacePoint::Zero(), -2.0, 0.0 } };
   EXPECT_TRUE(Refuses([&] { MakeQuadsOfSurface(sphere, request); }, { "The size near (0, 0, 0)" }));
   request.sizes = {};
   request.sizes.isUniform = true;
