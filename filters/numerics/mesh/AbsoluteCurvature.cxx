@@ -13,13 +13,11 @@ namespace crossfield
 {
 namespace
 {
-using Complex = std::complex<double>;
-
 /// The tensor T/2 I + D times an area: D has the eigenvalues ±|D|, the larger one along half the argument of D.
 struct Bending
 {
   double trace = 0.0;
-  Complex deviator = 0.0; ///< In the chart of a triangle.
+  std::complex<double> deviator = 0.0; ///< In the chart of a triangle.
   double area = 0.0;
 
   void Add(const Bending& other, double turn)
