@@ -1,18 +1,16 @@
 #include "BodyQuads.h"
 
+#include "BodyLayout.h"
 #include "ConeDescent.h"
 #include "Error.h"
-#include "FaceJoin.h"
 #include "Index.h"
 #include "LineSides.h"
 #include "OptimizerReport.h"
 #include "QuadAdvice.h"
 #include "Stopwatch.h"
 #include "SurfaceChoice.h"
-#include "SurfaceMap.h"
 #include "SurfaceQuads.h"
 #include "SurfaceTopology.h"
-#include "TMeshPatches.h"
 
 #include <Eigen/Geometry>
 
@@ -28,36 +26,19 @@ namespace crossfield
 {
 namespace
 {
-/// Computes the layout of a face from its singularities.
-Layout LayOutCones(const ConedSurface& face, QuadSeconds& seconds, const Progress& progress)
-{
-  Stopwatch clock;
-  Layout layout;
-  layout.map = SolveSurfaceMap(face.topology, face.cones, progress.Part(0.0, 0.7));
-  seconds.map += clock.Lap();
-  layout.separatrices = TraceSeparatrices(layout.map, progress.Part(0.7, 1.0));
-  layout.tMesh = MakeTMesh(layout.map, layout.separatrices);
-  seconds.trace += clock.Lap();
-  return layout;
-}
-
 /// Chooses the singularities of a face, unless they are given, and computes its layout.
-Layout LayOutFace(ConedSurface& face, bool chooses, bool withoutPairs, QuadSeconds& seconds,
+Layout LayOutChosen(ConedSurface& face, bool chooses, bool withoutPairs, QuadSeconds& seconds,
   const Progress& progress)
 {
-  Stopwatch clock;
   if (chooses)
   {
+    Stopwatch clock;
     std::vector<Cone> cones =
       ChooseSurfaceCones(*face.topology, face.cones, withoutPairs, progress.Part(0.0, 0.6));
     face.cones.insert(face.cones.begin(), cones.begin(), cones.end());
     seconds.choose += clock.Lap();
   }
-  if (face.GivenQuarters() != face.RequiredQuarters())
-  {
-    throw Error(DescribeQuarters(face), Error::Kind::Inconsistent);
-  }
-  return LayOutCones(face, seconds, progress.Part(0.6, 1.0));
+  return LayOutFace(face, seconds, progress.Part(0.6, 1.0));
 }
 
 /// Makes the quads of one part.
@@ -137,8 +118,9 @@ private:
       }
       std::copy(moved.begin(), moved.end(), face.cones.begin());
       std::vector<Layout> layouts;
-      layouts.push_back(LayOutCones(face, this->Seconds, progress.Part(0.4, 0.7)));
-      return this->MakeQuads(this->Join(std::move(layouts)), progress.Part(0.7, 1.0));
+      layouts.push_back(LayOutFace(face, this->Seconds, progress.Part(0.4, 0.7)));
+      return this->MakeQuads(
+        JoinBody(this->Body, this->Names, std::move(layouts)), progress.Part(0.7, 1.0));
     }
     catch (const Error&)
     {
@@ -195,18 +177,11 @@ private:
       done = end;
       if (layouts.size() == this->Body.faces.size())
       {
-        return this->Join(std::move(layouts));
+        return JoinBody(this->Body, this->Names, std::move(layouts));
       }
       this->Joined += static_cast<int>(this->Body.faces.size() - layouts.size());
       MergeFaces(this->Part.surface, this->Body.faceOf, this->Fails, this->Part.features);
     }
-  }
-
-  /// Returns the layouts of all faces as one.
-  LayoutSet Join(std::vector<Layout> layouts) const
-  {
-    return this->Body.IsWhole() ? LayoutSet(std::move(layouts.front()))
-                                : JoinFaces(this->Body, this->Names, layouts);
   }
 
   /// Returns the layouts of the faces that have a map, and marks the others in Fails. Throws Error if these must
@@ -223,21 +198,14 @@ private:
       const double end = std::min(1.0, done + area / this->Body.area);
       try
       {
-        layouts.push_back(LayOutFace(
+        layouts.push_back(LayOutChosen(
           face, this->Chooses, this->WithoutPairs, this->Seconds, progress.Part(done, end)));
       }
       catch (const Error& error)
       {
-        if (this->Body.lines.empty())
+        if (this->Body.lines.empty() || !this->Chooses || !this->CanJoin(area))
         {
-          throw;
-        }
-        if (!this->Chooses || !this->CanJoin(area))
-        {
-          const std::string start = DescribeFace(face) + ": ";
-          throw error.GetCause().empty()
-            ? Error(start + error.what(), error.GetKind())
-            : Error(start + error.GetCause(), error.GetRemedy(), error.GetKind());
+          throw InFace(this->Body, face, error);
         }
         this->Fails[f] = true;
       }
@@ -321,10 +289,7 @@ private:
     {
       result.quads = MakeSurfaceQuads(layouts, options, progress);
     }
-    if (result.quads.mesh.EulerCharacteristic() != this->Body.eulerCharacteristic)
-    {
-      throw Error("The quads do not cover the surface; use a smaller size.");
-    }
+    RequireCover(this->Body, result.quads.mesh);
     this->Seconds.integers += result.quads.counts.seconds;
     this->Seconds.layout += result.quads.layoutSeconds;
     this->Seconds.smooth += result.quads.smoothSeconds;

@@ -201,21 +201,37 @@ std::vector<Cone> ChooseSurfaceCones(const MeshTopology& topology, const std::ve
 }
 
 std::vector<SurfaceSingularity> ChooseSurfaceSingularities(
-  const SurfaceMesh& surface, double featureAngle, const Progress& progress)
+  const FeaturedPart& part, const Progress& progress)
 {
-  const ConedSurfaces found = PlaceCones(surface, {}, featureAngle);
+  const SurfaceBody body = PlaceCones(part);
   std::vector<SurfaceSingularity> chosen;
-  const std::vector<const ConedSurface*> faces = found.Faces();
-  const auto count = static_cast<double>(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  const double share = 1.0 / static_cast<double>(body.faces.size());
+  double done = 0.0;
+  for (const ConedSurface& face : body.faces)
   {
-    const ConedSurface& face = *faces[f];
-    const auto done = static_cast<double>(f);
-    for (const Cone& cone : ChooseSurfaceCones(
-           *face.topology, face.cones, false, progress.Part(done / count, (done + 1.0) / count)))
+    for (const Cone& cone :
+      ChooseSurfaceCones(*face.topology, face.cones, false, progress.Part(done, done + share)))
     {
       chosen.push_back({ face.topology->PositionOf(cone.vertex), cone.quarterIndex });
     }
+    done += share;
+  }
+  return chosen;
+}
+
+std::vector<SurfaceSingularity> ChooseSurfaceSingularities(
+  const SurfaceMesh& surface, double featureAngle, const Progress& progress)
+{
+  const FeaturedParts found = FindFeaturedParts(surface, {}, featureAngle);
+  std::vector<SurfaceSingularity> chosen;
+  const double share = 1.0 / static_cast<double>(found.parts.size());
+  double done = 0.0;
+  for (const FeaturedPart& part : found.parts)
+  {
+    const std::vector<SurfaceSingularity> more =
+      ChooseSurfaceSingularities(part, progress.Part(done, done + share));
+    chosen.insert(chosen.end(), more.begin(), more.end());
+    done += share;
   }
   return chosen;
 }

@@ -16,7 +16,12 @@ namespace crossfield
 std::vector<Cone> ChooseSurfaceCones(const MeshTopology& topology, const std::vector<Cone>& corners,
   bool withoutPairs = false, const Progress& progress = {});
 
-/// Chooses singularities for all faces of a surface. Throws Error as PlaceCones and ChooseSurfaceCones do.
+/// Chooses singularities for all faces of a connected part of a surface. Throws Error as PlaceCones and
+/// ChooseSurfaceCones do.
+std::vector<SurfaceSingularity> ChooseSurfaceSingularities(
+  const FeaturedPart& part, const Progress& progress = {});
+
+/// Chooses those of all parts of a surface.
 std::vector<SurfaceSingularity> ChooseSurfaceSingularities(
   const SurfaceMesh& surface, double featureAngle, const Progress& progress = {});
 }

@@ -294,6 +294,19 @@ std::string DescribeQuarters(const ConedSurface& part)
     " needs " + std::to_string(part.RequiredQuarters()) + "; give singularities with this sum.";
 }
 
+std::string DescribeHolonomy(const std::vector<double>& defects)
+{
+  double largest = 0.0;
+  for (const double defect : defects)
+  {
+    largest = std::max(largest, std::abs(defect));
+  }
+  return "The quarter indices of singularities and corners add up to 4χ" +
+    (largest > NoticeableDefect ? "; crosses do not close up around a handle or loop by " +
+          CrossAngle(largest) + ", so quads are stretched there."
+                                : std::string("."));
+}
+
 FeaturedParts FindFeaturedParts(
   SurfaceMesh surface, const std::vector<SurfaceSingularity>& singularities, double featureAngle)
 {
@@ -435,7 +448,6 @@ SurfaceCheck CheckSurface(const ConedSurfaces& surfaces)
     }
   }
   check.consistent = true;
-  double largest = 0.0;
   for (const ConedSurface* face : faces)
   {
     for (const double defect : VertexPotential(face->topology)
@@ -443,14 +455,9 @@ SurfaceCheck CheckSurface(const ConedSurfaces& surfaces)
                                  .holonomyDefect)
     {
       check.holonomyDefect.push_back(defect);
-      largest = std::max(largest, std::abs(defect));
     }
   }
-  check.reason = "The quarter indices of singularities and corners add up to 4χ";
-  check.reason += largest > NoticeableDefect
-    ? "; crosses do not close up around a handle or loop by " + CrossAngle(largest) +
-      ", so quads are stretched there."
-    : ".";
+  check.reason = DescribeHolonomy(check.holonomyDefect);
   return check;
 }
 }

@@ -99,6 +99,9 @@ ConedSurfaces PlaceCones(SurfaceMesh surface, const std::vector<SurfaceSingulari
 /// Returns one sentence about the sums of quarter indices.
 std::string DescribeQuarters(const ConedSurface& part);
 
+/// Returns one sentence about quarter indices that add up, and holonomy defects in radians.
+std::string DescribeHolonomy(const std::vector<double>& defects);
+
 /// A corner of the boundary of a surface with a quarter index.
 struct SurfaceCorner
 {

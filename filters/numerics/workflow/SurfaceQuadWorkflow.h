@@ -10,8 +10,7 @@ namespace crossfield
 /// has one entry for each face.
 /// Chosen singularities of a part of one face are also moved (MovedCones); the better mesh of the two is returned.
 ///
-/// If that needs smaller triangles, those of the surface are divided until no side is longer than a quad, then half of
-/// it, up to 200,000 triangles.
+/// Where a part needs smaller triangles, its own are divided (TriangleDivision).
 ///
 /// Throws Error as PlaceCones, ChooseSurfaceCones, SolveSurfaceMap and MakeSurfaceQuads do, and if the quarter
 /// indices of a part do not add up to 4χ.

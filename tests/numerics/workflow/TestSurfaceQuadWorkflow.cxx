@@ -37,6 +37,26 @@ SurfaceMesh CubeOfTwelve()
   return cube;
 }
 
+TEST(SurfaceQuadWorkflow, LargeTrianglesOfEachPartAreDivided)
+{
+  SurfaceMesh cubes = CubeOfTwelve();
+  for (const SpacePoint& point : CubeOfTwelve().points)
+  {
+    cubes.points.emplace_back(0.5 * point + SpacePoint(3.0, 0.0, 0.0));
+  }
+  for (const std::array<int, 3>& v : CubeOfTwelve().triangles)
+  {
+    cubes.triangles.push_back({ 8 + v[0], 8 + v[1], 8 + v[2] });
+  }
+  SurfaceRequest request;
+  request.quadCount = 300;
+  request.featureAngle = Pi;
+  const QuadWorkflowResult result = MakeQuadsOfSurface(cubes, request);
+  EXPECT_EQ(result.quads.mesh.EulerCharacteristic(), 4);
+  EXPECT_TRUE(AnyHas(result.events, "Part 1: The triangles of the surface were divided"));
+  EXPECT_TRUE(AnyHas(result.events, "Part 2: The triangles of the surface were divided"));
+}
+
 TEST(SurfaceQuadWorkflow, PlacesSingularitiesBetweenVertices)
 {
   SurfaceRequest request;
