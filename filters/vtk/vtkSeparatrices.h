@@ -34,6 +34,7 @@
  * - `UV` (double, 2): coordinates in the rectangle, with its first corner as the origin;
  * - `NodeKind` (int): 1 singularity, 2 corner, 3 on the boundary, 4 where a separatrix ends at
  *   another one; 0 for other points.
+ * On a surface in space the points of a patch are a lattice on it, with `NodeKind` 0.
  *
  * Field data of both outputs: the numbers `Lines`, `Faces`, `Arcs`, `ExtraLines`, `HeadOn` (pairs)
  * and `Flips` (0); `Longest` (length of the longest separatrix in the map); `Mismatch` (maximum

@@ -3,6 +3,8 @@
 #include "ColumnWriting.h"
 #include "Index.h"
 #include "PolygonTriangulation.h"
+#include "QuadMesh.h"
+#include "SampledPatch.h"
 #include "TMesh.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -12,6 +14,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -91,6 +95,102 @@ private:
   const crossfield::TMesh& Mesh;
   std::vector<std::vector<std::pair<double, Point>>> Interior;
 };
+
+/** Triangles of patches with the arrays of vtkSeparatrices. */
+class PatchWriter
+{
+public:
+  PatchWriter() { this->Points->SetDataTypeToDouble(); }
+
+  /** Adds a point of a patch and returns its number. */
+  vtkIdType AddPoint(const crossfield::SpacePoint& place, const Point& uv, int kind, int patch)
+  {
+    this->Uv.push_back(uv);
+    this->Kinds.push_back(kind);
+    this->PatchOfPoint.push_back(patch);
+    return this->Points->InsertNextPoint(place.data());
+  }
+
+  void AddTriangle(vtkIdType i, vtkIdType j, vtkIdType k, int patch)
+  {
+    const vtkIdType ids[] = { i, j, k };
+    this->Triangles->InsertNextCell(3, ids);
+    this->PatchOfCell.push_back(patch);
+  }
+
+  void Write(const crossfield::TMesh& mesh, vtkPolyData* output) const
+  {
+    output->SetPoints(this->Points);
+    output->SetPolys(this->Triangles);
+    vtkPointData* pointData = output->GetPointData();
+    ColumnWriting::AddIntegers(pointData, names::NodeKind, this->Kinds);
+    ColumnWriting::AddIntegers(pointData, names::FaceId, this->PatchOfPoint);
+    vtkNew<vtkDoubleArray> uv;
+    uv->SetName(names::UV);
+    uv->SetNumberOfComponents(2);
+    for (const Point& one : this->Uv)
+    {
+      uv->InsertNextTuple2(one.x(), one.y());
+    }
+    pointData->AddArray(uv);
+    vtkCellData* cellData = output->GetCellData();
+    ColumnWriting::AddIntegers(cellData, names::FaceId, this->PatchOfCell);
+    const auto addSize = [&](const char* name, std::size_t side)
+    {
+      ColumnWriting::AddColumn<vtkDoubleArray>(cellData, name, this->PatchOfCell,
+        [&mesh, side](int f) { return mesh.SideLength(mesh.patches[Index(f)], side); });
+    };
+    addSize(names::USize, 0);
+    addSize(names::VSize, 1);
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Triangles;
+  std::vector<Point> Uv;
+  std::vector<int> Kinds;
+  std::vector<int> PatchOfPoint;
+  std::vector<int> PatchOfCell;
+};
+
+/** Adds a lattice of triangles on the surface. */
+void AddOnSurface(const crossfield::SampledPatch& sample, int patch, PatchWriter& writer)
+{
+  vtkIdType first = -1;
+  for (std::size_t i = 0; i < sample.places.size(); ++i)
+  {
+    const vtkIdType point = writer.AddPoint(sample.places[i], sample.positions[i], 0, patch);
+    first = first < 0 ? point : first;
+  }
+  for (int row = 0; row < sample.rows; ++row)
+  {
+    for (int column = 0; column < sample.columns; ++column)
+    {
+      const vtkIdType low = first + row * (sample.columns + 1) + column;
+      const vtkIdType high = low + sample.columns + 1;
+      writer.AddTriangle(low, low + 1, high + 1, patch);
+      writer.AddTriangle(low, high + 1, high, patch);
+    }
+  }
+}
+
+/** Adds the triangles of a patch in a plane, whose points are its outline. */
+void AddInPlane(const std::vector<OutlinePoint>& outline, const crossfield::DomainPlane& plane,
+  int patch, PatchWriter& writer)
+{
+  vtkIdType first = -1;
+  crossfield::Loop polygon;
+  for (const OutlinePoint& one : outline)
+  {
+    const vtkIdType point = writer.AddPoint(plane.ToSpace(one.place), one.uv, one.kind, patch);
+    first = first < 0 ? point : first;
+    polygon.push_back(one.place);
+  }
+  for (const auto& [i, j, k] : crossfield::TriangulatePolygon(polygon))
+  {
+    writer.AddTriangle(first + i, first + j, first + k, patch);
+  }
+}
 }
 
 namespace PatchConversion
@@ -99,54 +199,43 @@ namespace PatchConversion
 void WritePatches(
   const MapConversion::Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  std::vector<OutlinePoint> all;
-  std::vector<int> patchOfPoint;
-  std::vector<int> patchOfCell;
+  // About the side of a triangle of a mesh of 5,000.
+  constexpr double Cell = 0.02;
+  const bool isOnSurface = traced.map.topology->charts.has_value();
+  const double size = Cell * std::sqrt(traced.map.topology->Area());
+  PatchWriter writer;
   const ArcOutlines outlines(traced.map, mesh);
   for (int f = 0; f < static_cast<int>(mesh.patches.size()); ++f)
   {
-    const std::vector<OutlinePoint> outline = outlines.Outline(mesh.patches[f]);
-    const vtkIdType first = points->GetNumberOfPoints();
-    crossfield::Loop polygon;
-    for (const OutlinePoint& point : outline)
+    const crossfield::TPatch& patch = mesh.patches[Index(f)];
+    if (isOnSurface)
     {
-      points->InsertNextPoint(traced.plane.ToSpace(point.place).data());
-      polygon.push_back(point.place);
-      patchOfPoint.push_back(f);
+      AddOnSurface(crossfield::SamplePatch(traced.map, mesh, patch, size), f, writer);
     }
-    all.insert(all.end(), outline.begin(), outline.end());
-    for (const auto& [i, j, k] : crossfield::TriangulatePolygon(polygon))
+    else
     {
-      const vtkIdType ids[] = { first + i, first + j, first + k };
-      triangles->InsertNextCell(3, ids);
-      patchOfCell.push_back(f);
+      AddInPlane(outlines.Outline(patch), traced.plane, f, writer);
     }
+  }
+  writer.Write(mesh, output);
+}
+
+//------------------------------------------------------------------------------
+void WriteQuadsOfPatches(const crossfield::QuadMesh& quads, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const crossfield::QuadPoint& point : quads.points)
+  {
+    points->InsertNextPoint(point.place.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const std::array<int, 4>& quad : quads.quads)
+  {
+    cells->InsertNextCell({ quad[0], quad[1], quad[2], quad[3] });
   }
   output->SetPoints(points);
-  output->SetPolys(triangles);
-  vtkPointData* pointData = output->GetPointData();
-  ColumnWriting::AddColumn<vtkIntArray>(
-    pointData, names::NodeKind, all, [](const OutlinePoint& point) { return point.kind; });
-  ColumnWriting::AddIntegers(pointData, names::FaceId, patchOfPoint);
-  vtkNew<vtkDoubleArray> uv;
-  uv->SetName(names::UV);
-  uv->SetNumberOfComponents(2);
-  for (const OutlinePoint& point : all)
-  {
-    uv->InsertNextTuple2(point.uv.x(), point.uv.y());
-  }
-  pointData->AddArray(uv);
-  vtkCellData* cellData = output->GetCellData();
-  ColumnWriting::AddIntegers(cellData, names::FaceId, patchOfCell);
-  const auto addSize = [&](const char* name, std::size_t side)
-  {
-    ColumnWriting::AddColumn<vtkDoubleArray>(cellData, name, patchOfCell,
-      [&mesh, side](int f) { return mesh.SideLength(mesh.patches[f], side); });
-  };
-  addSize(names::USize, 0);
-  addSize(names::VSize, 1);
+  output->SetPolys(cells);
+  ColumnWriting::AddIntegers(output->GetCellData(), names::FaceId, quads.patch);
 }
 }

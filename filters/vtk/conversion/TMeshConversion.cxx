@@ -174,6 +174,41 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
 }
 
 //------------------------------------------------------------------------------
+void WriteArcs(const MapConversion::Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output)
+{
+  // Arcs follow their separatrix from its start on.
+  std::vector<int> coneOf(Index(mesh.separatrixCount), -1);
+  for (std::size_t half = 0; half < mesh.halfEdges.size(); ++half)
+  {
+    const int separatrix = mesh.arcs[half / 2].separatrix;
+    const int cone = mesh.nodes[Index(mesh.halfEdges[half].node)].cone;
+    if (separatrix >= 0 && cone >= 0 && coneOf[Index(separatrix)] < 0)
+    {
+      coneOf[Index(separatrix)] = cone;
+    }
+  }
+  LineWriter writer(traced.plane, output);
+  for (const crossfield::TArc& arc : mesh.arcs)
+  {
+    if (arc.separatrix < 0)
+    {
+      continue;
+    }
+    LineRow row;
+    row.line = arc.separatrix;
+    row.length = arc.length;
+    const int cone = coneOf[Index(arc.separatrix)];
+    if (cone >= 0)
+    {
+      row.singularity = traced.map.cones[Index(cone)].row;
+      row.quarterIndex = traced.map.cones[Index(cone)].quarterIndex;
+    }
+    writer.Add(arc.polyline, row);
+  }
+  writer.Write();
+}
+
+//------------------------------------------------------------------------------
 void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field)
 {
   const auto count = [](std::size_t size) { return static_cast<int>(size); };

@@ -19,6 +19,13 @@ namespace TMeshConversion
 void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph& graph,
   const std::vector<crossfield::Point>& seeds, double longest, vtkPolyData* output);
 
+/**
+ * Writes a polyline for each arc inside, with the arrays of vtkSeparatrices, of which `EndsAt` and `Seed` say
+ * nothing: of a surface that consists of faces.
+ */
+void WriteArcs(
+  const MapConversion::Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output);
+
 /** Adds the field data of vtkSeparatrices. */
 void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field);
 }
