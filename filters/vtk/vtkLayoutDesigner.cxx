@@ -1,7 +1,5 @@
 #include "vtkLayoutDesigner.h"
 
-#include "ConfigurationConversion.h"
-#include "CornerConversion.h"
 #include "DesignSession.h"
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
@@ -25,7 +23,6 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkLayoutDesigner);
@@ -50,17 +47,16 @@ public:
    * Writes the last design of a session and the singularities of its last update, whose refusal is
    * added to the report.
    */
-  void Write(const DesignSession& session, const DesignUpdate& update,
-    const crossfield::DomainPlane& plane, LayoutConversion::Report report) const
+  void Write(const DesignSession& session, const DesignUpdate& update, const DesignModel& model,
+    LayoutConversion::Report report) const
   {
     report.refusal = update.refusal;
     const crossfield::LayoutDesign* design = session.GetDesign();
     const bool current = design != nullptr && update.refusal.empty();
-    ConfigurationConversion::WriteConfiguration(
-      current ? design->nodes.singularities : update.singularities, plane, this->Singularities);
+    model.WriteSingularities(current ? design : nullptr, update.rows, this->Singularities);
     if (design != nullptr)
     {
-      this->WriteDesign(*design, plane, !current);
+      this->WriteDesign(*design, model.Plane(), !current);
     }
     this->WriteReport(design, report);
     for (vtkPolyData* output : { this->Separatrices, this->Singularities })
@@ -82,9 +78,24 @@ private:
   {
     const crossfield::Layout& layout = design.layouts.Single();
     const MapConversion::Map map{ layout.map, plane };
-    TMeshConversion::WriteTraces(map, layout.separatrices, {}, 0.0, this->Separatrices);
+    const bool isOnSurface = layout.map.topology->charts.has_value();
+    if (isOnSurface)
+    {
+      TMeshConversion::WriteArcs(map, layout.tMesh, this->Separatrices);
+    }
+    else
+    {
+      TMeshConversion::WriteTraces(map, layout.separatrices, {}, 0.0, this->Separatrices);
+    }
     LayoutConversion::AddShade(stale, this->Separatrices);
-    PatchConversion::WritePatches(map, layout.tMesh, this->Patches);
+    if (isOnSurface && design.quads)
+    {
+      PatchConversion::WriteQuadsOfPatches(design.quads->mesh, this->Patches);
+    }
+    else
+    {
+      PatchConversion::WritePatches(map, layout.tMesh, this->Patches);
+    }
     LayoutConversion::AddColours(design.colours, stale, this->Patches);
     TMeshConversion::AddCounts(layout.tMesh, this->Patches->GetFieldData());
     if (design.quads)
@@ -124,6 +135,7 @@ vtkLayoutDesigner::vtkLayoutDesigner()
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(6);
   this->OutputRows->SetNumberOfComponents(4);
+  this->Triangles->SetNumberOfComponents(9);
   PlaneFrame().Write(this->Plane);
 }
 
@@ -146,14 +158,14 @@ int vtkLayoutDesigner::FillOutputPortInformation(int port, vtkInformation* info)
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::SetSingularity(
-  int row, double x, double y, double quarterIndex, double radius)
+  int row, double x, double y, double quarterIndex, double fourth)
 {
   if (row < 0)
   {
     return;
   }
   const auto index = static_cast<std::size_t>(row);
-  const DesignSession::Row newRow = { x, y, quarterIndex, radius };
+  const DesignSession::Row newRow = { x, y, quarterIndex, fourth };
   if (index < this->Rows.size() && this->Rows[index] == newRow)
   {
     return;
@@ -167,9 +179,9 @@ void vtkLayoutDesigner::SetSingularity(
 }
 
 //------------------------------------------------------------------------------
-void vtkLayoutDesigner::AddSingularity(double x, double y, double quarterIndex, double radius)
+void vtkLayoutDesigner::AddSingularity(double x, double y, double quarterIndex, double fourth)
 {
-  this->Rows.push_back({ x, y, quarterIndex, radius });
+  this->Rows.push_back({ x, y, quarterIndex, fourth });
   this->Modified();
 }
 
@@ -199,6 +211,12 @@ vtkDoubleArray* vtkLayoutDesigner::GetRows()
 vtkDoubleArray* vtkLayoutDesigner::GetPlane()
 {
   return this->Plane;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkLayoutDesigner::GetTriangles()
+{
+  return this->Triangles;
 }
 
 //------------------------------------------------------------------------------
@@ -250,20 +268,19 @@ void vtkLayoutDesigner::Undo()
 
 //------------------------------------------------------------------------------
 DesignRequest vtkLayoutDesigner::MakeRequest(
-  const DomainConversion::Domain& input, vtkDataSet* start, vtkDataSet* corners)
+  const DesignModel& model, vtkDataSet* start, vtkDataSet* corners)
 {
   DesignRequest request;
-  request.options.map.corners = CornerConversion::ReadCorners(corners, input.plane);
+  request.options.map.corners = model.ReadCorners(corners);
   request.options.map.capCorners = this->CapCorners;
   if (start != nullptr)
   {
-    request.start = ConfigurationConversion::ReadConfiguration(start, input.plane);
+    request.start = model.Read(start);
   }
-  request.meshSize =
-    this->Dragging ? crossfield::LiveMeshSize(input.domain, this->MeshSize) : this->MeshSize;
-  request.quadSize = this->QuadSize > 0.0
-    ? this->QuadSize
-    : std::sqrt(input.domain.Area() / static_cast<double>(this->QuadCount));
+  request.meshSize = this->MeshSize;
+  request.isDragging = this->Dragging;
+  request.quadSize = this->QuadSize;
+  request.quadCount = this->QuadCount;
   if (this->Quads != QuadsNone)
   {
     request.options.quads.emplace();
@@ -274,7 +291,7 @@ DesignRequest vtkLayoutDesigner::MakeRequest(
     request.options.quads->coarse = this->Merge == vtkQuadMesher::MergeCoarse && smooth;
     request.options.clean = this->Merge == vtkQuadMesher::MergeClean && smooth;
   }
-  request.snapTolerance = this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * request.quadSize;
+  request.snapTolerance = this->SnapTolerance;
   request.command = std::exchange(this->Command, DesignCommand::None);
   request.rowToRemove = this->RowToRemove;
   return request;
@@ -290,27 +307,31 @@ int vtkLayoutDesigner::RequestData(
     this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain& input = this->Session->Read(domain);
-      PlaneFrame(input.plane).Write(this->Plane);
+      const DesignModel& model = this->Session->Read(domain, this->FeatureAngle);
+      PlaneFrame(model.Plane()).Write(this->Plane);
+      this->Triangles->SetNumberOfTuples(0);
+      model.WriteTriangles(this->Triangles);
       const DesignRequest request = this->MakeRequest(
-        input, vtkDataSet::GetData(inputVector[1]), vtkDataSet::GetData(inputVector[2]));
+        model, vtkDataSet::GetData(inputVector[1]), vtkDataSet::GetData(inputVector[2]));
       const DesignUpdate update = this->Session->Update(request, this->Rows, progress);
       if (update.refusal.empty())
       {
         this->StageSeconds = this->Session->GetDesign()->seconds;
       }
       this->OutputRows->SetNumberOfTuples(0);
-      for (const DesignSession::Row& row : DesignSession::ToRows(update.singularities))
+      for (const DesignSession::Row& row : update.rows)
       {
         this->OutputRows->InsertNextTuple(row.data());
       }
-      outputs.Write(*this->Session, update, input.plane,
-        { {}, request.quadSize, this->Merge == vtkQuadMesher::MergeNone,
+      outputs.Write(*this->Session, update, model,
+        { {}, request.QuadSizeOn(model.Area()),
+          this->Merge == vtkQuadMesher::MergeNone && this->Triangles->GetNumberOfTuples() == 0,
           this->Quads != QuadsSmooth || this->Dragging });
     },
     [&](const char* message)
     {
       this->OutputRows->SetNumberOfTuples(0); // no domain, no rows
+      this->Triangles->SetNumberOfTuples(0);
       outputs.WriteFailure(message);
     });
 }
@@ -321,6 +342,7 @@ void vtkLayoutDesigner::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Singularities: " << this->Rows.size() << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "Merge: " << this->Merge << "\n";

@@ -12,8 +12,10 @@
  * Optimise, Snap, AddPair, RemoveSingularity, Undo) take effect in the next update. They replace
  * the rows, which GetRows then returns.
  *
- * Input port 0 (vtkPolyData or vtkUnstructuredGrid): the domain, as for vtkDrillHoles; it is meshed
- * here.
+ * Input port 0 (vtkPolyData or vtkUnstructuredGrid): the domain, as for vtkDrillHoles, which is meshed
+ * here; or a connected surface in space, as for vtkQuadMesher. On a surface there are no quads while Dragging, no W, no
+ * Snap and AddPair, MeshSize, MergeClean and corners do not apply, Optimise makes sizes more even
+ * (crossfield::MovedCones), separatrices are given arc by arc, and patches consist of the quads if there are any.
  * Input port 1, optional: initial singularities (points) with `QuarterIndex`.
  * Input port 2, optional: corners (points) with `QuarterIndex`.
  *
@@ -73,13 +75,10 @@
 #include <vector> // for the rows
 
 enum class DesignCommand;
+class DesignModel;
 class DesignSession;
 struct DesignRequest;
 class vtkDoubleArray;
-namespace DomainConversion
-{
-struct Domain;
-}
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkLayoutDesigner : public vtkPolyDataAlgorithm
 {
@@ -99,13 +98,13 @@ public:
 
   ///@{
   /**
-   * Sets the rows x, y, quarter index, radius, as in vtkSingularitySource. SetSingularity appends
+   * Sets the rows x, y, quarter index, and a fourth number. SetSingularity appends
    * rows as needed. Positions are in the coordinates of the plane of the domain
-   * (crossfield::DomainPlane): x and y of a domain in z = const. The radius is preserved but not
-   * used. Default: no rows.
+   * (crossfield::DomainPlane): x and y of a domain in z = const. The fourth number is there a radius, as in
+   * vtkSingularitySource, which is preserved but not used; on a surface in space it is z. Default: no rows.
    */
-  void SetSingularity(int row, double x, double y, double quarterIndex, double radius);
-  void AddSingularity(double x, double y, double quarterIndex, double radius);
+  void SetSingularity(int row, double x, double y, double quarterIndex, double fourth);
+  void AddSingularity(double x, double y, double quarterIndex, double fourth);
   void RemoveAllSingularities();
   int GetNumberOfSingularities() const;
   ///@}
@@ -118,6 +117,12 @@ public:
    * origin, first axis and second axis.
    */
   vtkDoubleArray* GetPlane();
+
+  /**
+   * Returns the triangles of the last surface on which layouts are computed while Dragging, and handles are placed:
+   * nine components each, their points. None for a planar domain.
+   */
+  vtkDoubleArray* GetTriangles();
 
   ///@{
   /**
@@ -142,6 +147,15 @@ public:
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of a surface in space: sets the angle between the normals of two triangles, in degrees, above which separatrices
+   * follow their common edge. Default: 35. Range: 0 to 180.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
   ///@}
 
   ///@{
@@ -243,14 +257,14 @@ private:
 
   void SetCommand(DesignCommand command);
 #ifndef __VTK_WRAP__
-  DesignRequest MakeRequest(
-    const DomainConversion::Domain& input, vtkDataSet* start, vtkDataSet* corners);
+  DesignRequest MakeRequest(const DesignModel& model, vtkDataSet* start, vtkDataSet* corners);
 #endif
 
   std::vector<std::array<double, 4>> Rows;
   DesignCommand Command; ///< Command for the next update.
   int RowToRemove = -1;
   double MeshSize = 0.0;
+  double FeatureAngle = 35.0;
   bool CapCorners = true;
   int Quads = QuadsSmooth;
   int Merge = vtkQuadMesher::MergeNone;
@@ -261,6 +275,7 @@ private:
   double StageSeconds = 0.0;
   vtkNew<vtkDoubleArray> OutputRows;
   vtkNew<vtkDoubleArray> Plane;
+  vtkNew<vtkDoubleArray> Triangles;
   std::unique_ptr<DesignSession> Session; ///< State kept between updates.
 };
 

@@ -8,6 +8,8 @@
 #include "LayoutDesign.h"
 #include "MakePlanarDomain.h"
 #include "Stopwatch.h"
+#include "SurfaceDesign.h"
+#include "SurfaceRefinement.h"
 
 #include "BuiltinDomains.h"
 
@@ -114,6 +116,50 @@ void DragRing(benchmark::State& state)
   }
 }
 
+/// Measures the layout of eight k = 1 on an ellipsoid of about as many triangles: with 0 as while a handle is dragged, with
+/// 1 that of the surface itself.
+void DragSurface(benchmark::State& state)
+{
+  SurfaceMesh ellipsoid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ellipsoid.points.emplace_back(SpacePoint::Unit(axis));
+    ellipsoid.points.emplace_back(-SpacePoint::Unit(axis));
+  }
+  ellipsoid.triangles = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 },
+    { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 } };
+  constexpr double Area = 6.93; // of the octahedron
+  ellipsoid =
+    Refined(std::move(ellipsoid), std::sqrt(Area / (0.32 * static_cast<double>(state.range(0)))));
+  const SpacePoint axes(1.5, 1.0, 0.8);
+  for (SpacePoint& point : ellipsoid.points)
+  {
+    point = point.normalized().cwiseProduct(axes);
+  }
+  const DesignSurface surface(ellipsoid, {}, Pi);
+  std::int64_t step = 0;
+  for (auto _ : state)
+  {
+    std::vector<SurfaceSingularity> eight;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const SpacePoint direction(
+        corner % 2 * 2 - 1, corner / 2 % 2 * 2 - 1, corner / 4 * 2 - 1 + 0.1 * corner);
+      eight.push_back({ direction.normalized().cwiseProduct(axes), 1 });
+    }
+    eight[0].place.x() += 1e-3 * std::sin(0.1 * static_cast<double>(++step));
+    const LayoutDesign design =
+      state.range(1) == 0 ? surface.DesignCoarse(eight) : surface.Design(eight, 0.1, std::nullopt);
+    state.counters["triangles"] = static_cast<double>(design.layouts.Single().map.corners.size());
+    state.counters["faces"] = static_cast<double>(design.layouts.Single().tMesh.patches.size());
+  }
+  state.counters["given"] = static_cast<double>(ellipsoid.triangles.size());
+}
+
+BENCHMARK(DragSurface)
+  ->ArgsProduct({ { 2000, 20000 }, { 0, 1 } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
 BENCHMARK(DragField)
   ->Arg(2000)
   ->Arg(10000)

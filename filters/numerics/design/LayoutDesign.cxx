@@ -3,6 +3,7 @@
 #include "CleanBlocks.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
+#include "PoincareHopf.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -22,8 +23,9 @@ void EvaluateEnergy(const FactoredDomain& domain, const Configuration& singulari
   const PlacedConfiguration placed = PlaceForMap(topology, singularities, options);
   const PointPotential potential(domain.GetPotential(),
     AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
-  design.count = potential.GetProblem().alignment.count;
   design.energy = EvaluateRenormalizedEnergy(potential, potential.Solve(placed.interior));
+  design.reason =
+    ConsistencyReason(potential.GetProblem().alignment.count, design.energy.holonomyDefect);
 }
 
 /// Replaces layout and quads by those of fewer blocks, if there are any.
@@ -43,6 +45,16 @@ void Clean(const FactoredDomain& domain, const LayoutOptions& options, LayoutDes
     EvaluateEnergy(domain, design.layouts.Single().singularities, options.map, design);
   }
 }
+}
+
+double ShortestArc(const TMesh& mesh)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const TArc& arc : mesh.arcs)
+  {
+    shortest = std::min(shortest, arc.length);
+  }
+  return shortest;
 }
 
 LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& singularities,
@@ -68,11 +80,7 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
       design.layouts.Single().map, design.quads->mesh, singularities, singularities);
   }
   const Layout& layout = design.layouts.Single();
-  design.shortestArc = std::numeric_limits<double>::infinity();
-  for (const TArc& arc : layout.tMesh.arcs)
-  {
-    design.shortestArc = std::min(design.shortestArc, arc.length);
-  }
+  design.shortestArc = ShortestArc(layout.tMesh);
   design.colours = ColourPatches(layout.tMesh, options.earlier);
   design.seconds = stopwatch.Lap();
   progress.Report(1.0);

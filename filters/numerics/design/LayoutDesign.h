@@ -4,11 +4,13 @@
 #include "NodePositions.h"
 #include "PatchColours.h"
 #include "QuadMesher.h"
+#include "SurfaceCones.h"
 
-#include "PoincareHopf.h"
 #include "RenormalizedEnergy.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace crossfield
 {
@@ -32,13 +34,17 @@ struct LayoutDesign
   /// Where the nodes of the singularities are, and how far from the given positions. Without quads
   /// these are the given positions.
   NodePositions nodes;
-  std::vector<PatchColour> colours; ///< Colours of the patches.
-  PoincareHopfCount count;
-  RenormalizedEnergyValue energy;
+  std::vector<SurfaceSingularity> onSurface; ///< Where the nodes are on a surface in space.
+  std::vector<PatchColour> colours;          ///< Colours of the patches.
+  std::string reason;             ///< Why crosses with these singularities exist, in one sentence.
+  RenormalizedEnergyValue energy; ///< W; not a number on a surface in space.
   /// Minimum length of an arc, in the map, whose area is that of the domain.
   double shortestArc = 0.0;
   double seconds = 0.0; ///< Computing time.
 };
+
+/// Returns the minimum length of an arc.
+double ShortestArc(const TMesh& mesh);
 
 /// Computes the layout of a configuration on a factored domain (docs/method.md §15.2). W costs two
 /// back-substitutions with its factor. The map is solved on a mesh with vertices at the

@@ -1,18 +1,19 @@
 #include "PatchColours.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <tuple>
 
 namespace crossfield
 {
 namespace
 {
-/// Returns the outline of a patch in the plane, counter-clockwise.
-Loop OutlineOf(const TMesh& mesh, const TPatch& patch)
+/// Returns the outline of a patch, counter-clockwise.
+std::vector<SpacePoint> OutlineOf(const TMesh& mesh, const TPatch& patch)
 {
-  Loop outline;
+  std::vector<SpacePoint> outline;
   for (const std::vector<int>& side : patch.sides)
   {
     for (const int half : side)
@@ -22,30 +23,35 @@ Loop OutlineOf(const TMesh& mesh, const TPatch& patch)
       {
         std::reverse(path.begin(), path.end());
       }
-      std::transform(path.begin(), path.end() - 1, std::back_inserter(outline),
-        [](const SpacePoint& place) { return place.head<2>(); });
+      outline.insert(outline.end(), path.begin(), path.end() - 1);
     }
   }
   return outline;
 }
 
-/// Computes area and centroid of a patch; a patch without area has its first point as the centre.
-PatchColour Measure(const Loop& outline)
+/// Computes area and centroid of a patch, on a surface those of its projection along its mean normal; a patch without
+/// area has its first point as the centre.
+PatchColour Measure(const std::vector<SpacePoint>& outline)
 {
   PatchColour result;
-  const Point& origin = outline.front();
-  Point moment = Point::Zero();
+  const SpacePoint& origin = outline.front();
+  std::vector<SpacePoint> areas; // of triangles with the origin, as vectors
+  SpacePoint area = SpacePoint::Zero();
   for (std::size_t i = 1; i + 1 < outline.size(); ++i)
   {
-    const Point a = outline[i] - origin;
-    const Point b = outline[i + 1] - origin;
-    result.area += 0.5 * Cross(a, b);
-    moment += Cross(a, b) / 6.0 * (a + b);
+    areas.emplace_back(0.5 * (outline[i] - origin).cross(outline[i + 1] - origin));
+    area += areas.back();
   }
+  result.area = area.norm();
   result.centre = origin;
   if (result.area > 0.0)
   {
-    result.centre += moment / result.area;
+    const SpacePoint normal = area / result.area;
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    {
+      result.centre += areas[i - 1].dot(normal) / (3.0 * result.area) *
+        (outline[i] - origin + outline[i + 1] - origin);
+    }
   }
   return result;
 }

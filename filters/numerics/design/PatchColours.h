@@ -11,7 +11,7 @@ constexpr int PatchColourCount = 5;
 struct PatchColour
 {
   int colour = 0; ///< From 0 to PatchColourCount − 1.
-  Point centre = Point::Zero();
+  SpacePoint centre = SpacePoint::Zero();
   double area = 0.0;
 };
 

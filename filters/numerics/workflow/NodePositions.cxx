@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace crossfield
 {
@@ -37,13 +38,13 @@ std::vector<Node> FindNodes(const SeamlessMap& map, const QuadMesh& mesh, std::s
   return nodes;
 }
 
-std::string DescribeMove(std::size_t row, const Point& from, const Point& to, double edge)
+std::string DescribeMove(std::size_t row, const SpacePoint& from, const SpacePoint& to, double edge)
 {
   std::ostringstream text;
   text.precision(3);
   text << "Singularity " << row + 1 << " moved by " << (to - from).norm() << ", "
-       << (to - from).norm() / edge << " quads, from " << Describe(from) << " to its node at "
-       << Describe(to) << ".";
+       << (to - from).norm() / edge << " quads, from " << DescribePlace(from) << " to its node at "
+       << DescribePlace(to) << ".";
   return text.str();
 }
 }
@@ -64,26 +65,44 @@ std::vector<SingularityMove> FindMoves(
   return moves;
 }
 
+NodePlaces FindNodePlaces(const SeamlessMap& map, const QuadMesh& mesh,
+  std::vector<SpacePoint> places, const std::vector<SpacePoint>& start)
+{
+  constexpr double Noticeable = 0.1; // of an edge
+  NodePlaces result;
+  const std::vector<Node> nodes = FindNodes(map, mesh, places.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const Node& node = nodes[i];
+    places[i] = node.point == nullptr ? places[i] : node.point->place;
+    const double moved = (places[i] - start[i]).norm();
+    result.moved = std::max(result.moved, moved);
+    if (node.point != nullptr && moved > Noticeable * node.edge)
+    {
+      result.events.push_back(DescribeMove(i, start[i], places[i], node.edge));
+    }
+  }
+  result.places = std::move(places);
+  return result;
+}
+
 NodePositions FindNodePositions(const SeamlessMap& map, const QuadMesh& mesh,
   const Configuration& singularities, const Configuration& start)
 {
-  constexpr double Noticeable = 0.1; // of an edge
-  NodePositions result;
-  result.singularities = singularities;
-  const std::vector<Node> nodes = FindNodes(map, mesh, singularities.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+  const auto placesOf = [](const Configuration& configuration)
   {
-    Point& position = result.singularities[i].position;
-    if (nodes[i].point != nullptr)
+    std::vector<SpacePoint> places;
+    for (const Singularity& one : configuration)
     {
-      position = nodes[i].point->InPlane();
+      places.emplace_back(one.position.x(), one.position.y(), 0.0);
     }
-    const double moved = (position - start[i].position).norm();
-    result.moved = std::max(result.moved, moved);
-    if (nodes[i].point != nullptr && moved > Noticeable * nodes[i].edge)
-    {
-      result.events.push_back(DescribeMove(i, start[i].position, position, nodes[i].edge));
-    }
+    return places;
+  };
+  NodePlaces nodes = FindNodePlaces(map, mesh, placesOf(singularities), placesOf(start));
+  NodePositions result{ singularities, nodes.moved, std::move(nodes.events) };
+  for (std::size_t i = 0; i < singularities.size(); ++i)
+  {
+    result.singularities[i].position = nodes.places[i].head<2>();
   }
   return result;
 }

@@ -24,6 +24,20 @@ struct SingularityMove
 std::vector<SingularityMove> FindMoves(
   const Configuration& from, const Configuration& to, double extent);
 
+/// Where the nodes of singularities are, and how far these are from where they started.
+struct NodePlaces
+{
+  std::vector<SpacePoint> places;
+  double moved = 0.0; ///< Maximum distance.
+  /// A sentence for every singularity that moved by more than a tenth of the edges at its node.
+  std::vector<std::string> events;
+};
+
+/// Finds the nodes of the singularities of a map in its quad mesh. `places` are those of its rows, `start` where
+/// these were given or chosen.
+NodePlaces FindNodePlaces(const SeamlessMap& map, const QuadMesh& mesh,
+  std::vector<SpacePoint> places, const std::vector<SpacePoint>& start);
+
 /// Singularities at the positions of their nodes, and how far these are from where they started.
 struct NodePositions
 {
@@ -33,8 +47,7 @@ struct NodePositions
   std::vector<std::string> events;
 };
 
-/// Finds the nodes of the singularities of a map in its quad mesh. `singularities` are those of the
-/// map, `start` the same at the positions that were given or chosen.
+/// Returns those of singularities in the plane.
 NodePositions FindNodePositions(const SeamlessMap& map, const QuadMesh& mesh,
   const Configuration& singularities, const Configuration& start);
 }

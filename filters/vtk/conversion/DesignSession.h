@@ -1,45 +1,21 @@
 #ifndef DesignSession_h
 #define DesignSession_h
 
-#include "AutomaticConfiguration.h"
-#include "CachedDomain.h"
-#include "LayoutDesign.h"
+#include "DesignModel.h"
 
-#include <array>
+#include "vtkType.h"
+
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 class vtkDataSet;
 
-/** Commands that change the singularities of a design. */
-enum class DesignCommand
-{
-  None,
-  Propose,
-  Optimise,
-  Snap,
-  AddPair,
-  Remove,
-  Undo
-};
-
-/** Request of one update of vtkLayoutDesigner. */
-struct DesignRequest
-{
-  std::optional<crossfield::Configuration> start; ///< Initial singularities if there are no rows.
-  crossfield::LayoutOptions options;
-  double meshSize = 0.0;
-  double quadSize = 0.0;
-  double snapTolerance = 0.0;
-  DesignCommand command = DesignCommand::None;
-  int rowToRemove = -1;
-};
-
 /** Result of one update. */
 struct DesignUpdate
 {
-  crossfield::Configuration singularities;
+  DesignModel::Rows rows;
   std::string refusal; ///< Why the singularities have no layout; empty if they have one.
 };
 
@@ -47,16 +23,14 @@ struct DesignUpdate
 class DesignSession
 {
 public:
-  using Row = std::array<double, 4>; ///< x, y, quarter index, radius.
-
-  /** Converts singularities to rows. */
-  static std::vector<Row> ToRows(const crossfield::Configuration& configuration);
+  using Row = DesignModel::Row;
 
   /**
-   * Reads the domain and returns it. If the domain has changed, discards the results for the
-   * earlier one. Throws crossfield::Error like DomainConversion::ReadDomain.
+   * Reads a domain, or a surface whose sharp edges have triangles with normals that differ by more than an angle in
+   * degrees. If it has changed, discards the results for the earlier one. Throws crossfield::Error
+   * like DomainConversion::ReadDomain and crossfield::DesignSurface.
    */
-  const DomainConversion::Domain& Read(vtkDataSet* data);
+  const DesignModel& Read(vtkDataSet* data, double featureAngle);
 
   /**
    * Applies the command of the request and designs the layout of the singularities. A command that
@@ -76,19 +50,15 @@ public:
   const std::vector<std::string>& GetEvents() const { return this->Events; }
 
 private:
-  static crossfield::Configuration FromRows(const std::vector<Row>& rows);
-  const crossfield::Configuration& Choose(
-    const DesignRequest& request, const crossfield::Progress& progress);
-  crossfield::Configuration Prepare(
-    DesignRequest& request, const std::vector<Row>& rows, const crossfield::Progress& progress);
-  void Apply(const DesignRequest& request, crossfield::Configuration& singularities,
-    std::vector<Row>& rows, const crossfield::Progress& progress);
-  void ApplyCommand(const DesignRequest& request, crossfield::Configuration& singularities,
+  DesignModel::Rows Start(const DesignRequest& request, const std::vector<Row>& rows,
+    const crossfield::Progress& progress);
+  void Apply(const DesignRequest& request, DesignModel::Rows& singularities, std::vector<Row>& rows,
     const crossfield::Progress& progress);
 
-  CachedDomain Domain;
-  int Version = 0; ///< Version of the domain that the other members belong to.
-  std::optional<crossfield::AutomaticConfiguration> Chosen;
+  vtkDataSet* Data = nullptr; ///< Identity token for change detection; never dereferenced.
+  vtkMTimeType Time = 0;
+  double FeatureAngle = 0.0;
+  std::unique_ptr<DesignModel> Model; ///< Of the data read last; the other members belong to it.
   std::optional<crossfield::LayoutDesign> Design;
   std::vector<std::string> Events;
   std::vector<std::vector<Row>> UndoStack; ///< Rows before each command.

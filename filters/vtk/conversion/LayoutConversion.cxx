@@ -3,7 +3,6 @@
 #include "ColumnWriting.h"
 #include "HolonomyConversion.h"
 #include "Index.h"
-#include "PoincareHopf.h"
 #include "QuadAdvice.h"
 #include "QuadQuality.h"
 #include "QuadReport.h"
@@ -12,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -92,8 +92,12 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   {
     text << design->layouts.Single().tMesh.patches.size() << " patches";
   }
-  text << std::fixed << std::setprecision(2) << "; energy W " << design->energy.energy
-       << " (lower is better).";
+  if (std::isfinite(design->energy.energy))
+  {
+    text << std::fixed << std::setprecision(2) << "; energy W " << design->energy.energy
+         << " (lower is better)";
+  }
+  text << ".";
   if (report.canSnap && design->shortestArc < 0.5 * report.quadSize)
   {
     text << " Two separatrices nearly coincide: try Snap.";
@@ -122,16 +126,17 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
 {
   const bool shown = report.refusal.empty();
   ColumnWriting::AddIntegers(data, names::Stale, { shown ? 0 : 1 });
-  ColumnWriting::AddText(data, names::Reason,
-    shown ? crossfield::ConsistencyReason(design->count, design->energy.holonomyDefect)
-          : report.refusal);
+  ColumnWriting::AddText(data, names::Reason, shown ? design->reason : report.refusal);
   ColumnWriting::AddText(data, names::Summary, Summary(design, report));
   if (design == nullptr)
   {
     return;
   }
   const crossfield::Layout& layout = design->layouts.Single();
-  ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
+  if (std::isfinite(design->energy.energy))
+  {
+    ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
+  }
   ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(layout.tMesh.patches.size()) });
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
   HolonomyConversion::WriteStretch(layout.map.flattening, data);

@@ -32,7 +32,7 @@ TEST(PatchColours, MeasuresPatches)
   const LayoutDesign design = DesignLayout(disk, Twelve({ 0.0, 0.0 }));
   ASSERT_EQ(design.colours.size(), design.layouts.Single().tMesh.patches.size());
   double area = 0.0;
-  Point moment = Point::Zero();
+  SpacePoint moment = SpacePoint::Zero();
   for (const PatchColour& patch : design.colours)
   {
     EXPECT_GT(patch.area, 0.0);

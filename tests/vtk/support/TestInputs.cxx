@@ -240,6 +240,39 @@ vtkSmartPointer<vtkUnstructuredGrid> DrilledIsland()
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> BlownUpCube(int n)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int end : { 0, 1 })
+    {
+      for (int i = 0; i < n * n; ++i)
+      {
+        const auto corner = [&](int di, int dj)
+        {
+          double place[3];
+          const auto angle = [n](int k)
+          { return std::tan(0.25 * 3.14159265358979 * (2.0 * k / n - 1.0)); };
+          place[axis] = 2.0 * end - 1.0;
+          place[(axis + 1) % 3] = angle(i % n + (end == 1 ? di : dj));
+          place[(axis + 2) % 3] = angle(i / n + (end == 1 ? dj : di));
+          const double norm = std::hypot(place[0], place[1], place[2]);
+          return points->InsertNextPoint(place[0] / norm, place[1] / norm, place[2] / norm);
+        };
+        cells->InsertNextCell({ corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1) });
+      }
+    }
+  }
+  auto sphere = vtkSmartPointer<vtkPolyData>::New();
+  sphere->SetPoints(points);
+  sphere->SetPolys(cells);
+  return sphere;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Row> FourOnDisk()
 {
   const double d = 0.6 * std::sqrt(0.5);

@@ -56,6 +56,9 @@ vtkSmartPointer<vtkUnstructuredGrid> DrilledIsland();
 vtkSmartPointer<vtkUnstructuredGrid> Drill(
   vtkPolyData* domain, const std::vector<Row>& rows, double meshSize, int mode = 0);
 
+/** Returns the unit sphere as a cube of 6 n² quadrilaterals, blown up. */
+vtkSmartPointer<vtkPolyData> BlownUpCube(int n = 8);
+
 /** Returns four +1 on the diagonals at distance 0.6 from the origin with radius 0.1. */
 std::vector<Row> FourOnDisk();
 }
