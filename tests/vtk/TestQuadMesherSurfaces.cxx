@@ -1,6 +1,7 @@
 // Surfaces in space in vtkQuadMesher, vtkCrossFieldMap, vtkSeparatrices and vtkPoincareHopfCheck.
 
 #include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkBoundarySimplifier.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldErrorCodes.h"
@@ -12,11 +13,14 @@
 #include "vtkQuadsToHigherOrder.h"
 #include "vtkSeparatrices.h"
 
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkCleanPolyData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -44,40 +48,7 @@ using FilterChecks::CheckProgressAndAbort;
 using FilterChecks::CheckRunTwice;
 using FilterChecks::RequireArray;
 using FilterChecks::UpdateWithoutError;
-
-/** Returns the unit sphere as a cube of 6 · 8² quadrilaterals, blown up. */
-vtkSmartPointer<vtkPolyData> BlownUpCube()
-{
-  constexpr int N = 8;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (const int end : { 0, 1 })
-    {
-      for (int i = 0; i < N * N; ++i)
-      {
-        const auto corner = [&](int di, int dj)
-        {
-          double place[3];
-          const auto angle = [](int k)
-          { return std::tan(0.25 * 3.14159265358979 * (2.0 * k / N - 1.0)); };
-          place[axis] = 2.0 * end - 1.0;
-          place[(axis + 1) % 3] = angle(i % N + (end == 1 ? di : dj));
-          place[(axis + 2) % 3] = angle(i / N + (end == 1 ? dj : di));
-          const double norm = std::hypot(place[0], place[1], place[2]);
-          return points->InsertNextPoint(place[0] / norm, place[1] / norm, place[2] / norm);
-        };
-        cells->InsertNextCell({ corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1) });
-      }
-    }
-  }
-  auto sphere = vtkSmartPointer<vtkPolyData>::New();
-  sphere->SetPoints(points);
-  sphere->SetPolys(cells);
-  return sphere;
-}
+using TestInputs::BlownUpCube;
 
 /** Returns singularities of index 1 at the first corners of a cube. */
 vtkSmartPointer<vtkPolyData> CubeCorners(int count = 8)
@@ -542,4 +513,38 @@ TEST(QuadMesherSurfaces, AreChecked)
   EXPECT_EQ(data->GetArray("Consistent")->GetTuple1(0), 0.0);
   EXPECT_EQ(data->GetArray("GivenInteriorQuarters")->GetTuple1(0), 3.0);
 }
+}
+
+TEST(QuadMesherSurfaces, MayBeTheOuterSidesOfVolumes)
+{
+  // The ball as pyramids around its centre.
+  const auto sphere = BlownUpCube();
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(sphere);
+  clean->SetTolerance(1e-9);
+  clean->Update();
+  vtkPolyData* outside = clean->GetOutput();
+  const vtkIdType count = outside->GetNumberOfPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  for (vtkIdType p = 0; p < count; ++p)
+  {
+    points->InsertNextPoint(outside->GetPoint(p));
+  }
+  vtkNew<vtkUnstructuredGrid> volumes;
+  volumes->SetPoints(points);
+  for (vtkIdType cell = 0; cell < outside->GetNumberOfCells(); ++cell)
+  {
+    vtkIdList* of = outside->GetCell(cell)->GetPointIds();
+    const vtkIdType pyramid[] = { 1 + of->GetId(0), 1 + of->GetId(1), 1 + of->GetId(2),
+      1 + of->GetId(3), 0 };
+    volumes->InsertNextCell(VTK_PYRAMID, 5, pyramid);
+  }
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputData(volumes);
+  mesher->SetSingularitiesData(CubeCorners());
+  mesher->SetQuadCount(600);
+  UpdateWithoutError(mesher);
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 600);
 }

@@ -16,6 +16,7 @@
 #include "vtkCellData.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkFeatureEdges.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -27,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -43,6 +45,35 @@ std::string NameOfType(int type)
   return cell ? cell->GetClassName() : "number " + std::to_string(type);
 }
 
+/** Name of the array of cells that a surface cell comes from, as VTK has it. */
+constexpr const char* OriginalCells = "vtkOriginalCellIds";
+
+/** Returns the surface of a data set with cells of three dimensions, null if it has none. */
+vtkSmartPointer<vtkPolyData> SurfaceOfVolumes(vtkDataSet* input)
+{
+  bool hasVolumes = false;
+  std::set<int> types;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    const int type = input->GetCellType(cell);
+    if (types.insert(type).second)
+    {
+      const auto made = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+      hasVolumes = hasVolumes || (made != nullptr && made->GetCellDimension() == 3);
+    }
+  }
+  if (!hasVolumes)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(input);
+  surface->PassThroughCellIdsOn();
+  surface->SetNonlinearSubdivisionLevel(0);
+  surface->Update();
+  return surface->GetOutput();
+}
+
 /**
  * Returns the surface cells of a data set, or else its lines, with the points that they use.
  * Edges of higher order have their nodes as vertices. Vertex cells are ignored. Throws crossfield::Error for
@@ -53,7 +84,7 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> surfaces;
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("vtkOriginalCellIds");
+  ids->SetName(OriginalCells);
   CellOutline::ForEachCell(input,
     [&](vtkIdType cell, int type, const CellLoop::Points& points)
     {
@@ -351,7 +382,19 @@ std::vector<Domain> ReadParts(vtkDataSet* input, vtkObject* self)
 vtkSmartPointer<vtkPolyData> ReadSurface(vtkDataSet* input)
 {
   InputCheck::Require(input);
-  vtkSmartPointer<vtkPolyData> cells = MergePoints(ExtractCurvesOrSurfaces(input), MergeTolerance);
+  const vtkSmartPointer<vtkPolyData> ofVolumes = SurfaceOfVolumes(input);
+  vtkSmartPointer<vtkPolyData> surface =
+    ExtractCurvesOrSurfaces(ofVolumes != nullptr ? ofVolumes.Get() : input);
+  if (ofVolumes != nullptr)
+  {
+    vtkDataArray* original = ofVolumes->GetCellData()->GetArray(OriginalCells);
+    vtkDataArray* ids = surface->GetCellData()->GetArray(OriginalCells);
+    for (vtkIdType cell = 0; ids != nullptr && cell < ids->GetNumberOfTuples(); ++cell)
+    {
+      ids->SetTuple1(cell, original->GetTuple1(static_cast<vtkIdType>(ids->GetTuple1(cell))));
+    }
+  }
+  vtkSmartPointer<vtkPolyData> cells = MergePoints(surface, MergeTolerance);
   if (cells->GetNumberOfPolys() == 0)
   {
     throw Error(

@@ -51,7 +51,7 @@ std::vector<Domain> ReadParts(vtkDataSet* input, vtkObject* self);
 
 /**
  * Returns the surface cells of a data set as polygons, whose points are merged as in ReadDomain, with the cell array
- * `vtkOriginalCellIds`. Throws crossfield::Error if it has none.
+ * `vtkOriginalCellIds`. Of cells of three dimensions these are their outer sides. Throws crossfield::Error if it has none.
  */
 vtkSmartPointer<vtkPolyData> ReadSurface(vtkDataSet* input);
 
