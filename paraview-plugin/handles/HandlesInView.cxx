@@ -299,7 +299,7 @@ void pqSingularityHandlesWidget::Press(int x, int y)
   }
   // A handle does not jump when the mouse button is pressed off its centre.
   const SingularityRow& pressed = this->Rows[row];
-  const std::array<double, 2> middle = this->Handles.PixelOf({ pressed[0], pressed[1] });
+  const std::array<double, 2> middle = this->Handles.PixelOf(pressed);
   this->Grip = { x - middle[0], y - middle[1] };
   this->RowsBeforeDrag = this->Rows;
   this->PropertyBeforeDrag = this->PropertyRows();
@@ -321,15 +321,14 @@ void pqSingularityHandlesWidget::FollowMouse()
     const MessageBlocker messages;
     const RunAbort::Suspension abort;
     this->HasPendingMove = false;
-    const auto point =
-      this->Handles.PlanePointAt(this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
-    if (!point)
-    {
-      return;
-    }
     SingularityRow& row = this->Rows[this->Chosen];
-    row[0] = (*point)[0];
-    row[1] = (*point)[1];
+    const auto moved =
+      this->Handles.Moved(row, this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
+    if (!moved)
+    {
+      return; // beside the surface
+    }
+    row = *moved;
     this->ShowRows();
     if (this->LiveBox->isChecked())
     {

@@ -1,6 +1,7 @@
 #include "SingularityHandles.h"
 
 #include "vtkActor2D.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCoordinate.h"
 #include "vtkMath.h"
@@ -17,6 +18,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -117,6 +119,13 @@ std::string TextOf(int quarterIndex)
 }
 
 //------------------------------------------------------------------------------
+SingularityHandles::SingularityHandles()
+{
+  this->Render->SetCallback(&SingularityHandles::OnRender);
+  this->Render->SetClientData(this);
+}
+
+//------------------------------------------------------------------------------
 SingularityHandles::~SingularityHandles()
 {
   this->SetRenderer(nullptr);
@@ -192,10 +201,15 @@ void SingularityHandles::SetRenderer(vtkRenderer* renderer, double pixelRatio)
     this->Remove(handle);
   }
   this->Handles.clear();
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveObserver(this->Render);
+  }
   this->Renderer = renderer;
   this->PixelRatio = pixelRatio;
   if (renderer)
   {
+    renderer->AddObserver(vtkCommand::StartEvent, this->Render);
     const std::vector<SingularityRow> rows = this->Rows;
     this->SetRows(rows, this->Chosen);
   }
@@ -211,6 +225,25 @@ void SingularityHandles::SetPlane(const HandlePlane& plane)
 const HandlePlane& SingularityHandles::GetPlane() const
 {
   return this->Plane;
+}
+
+//------------------------------------------------------------------------------
+void SingularityHandles::SetSurface(HandleSurface surface)
+{
+  this->Surface = std::move(surface);
+}
+
+//------------------------------------------------------------------------------
+const HandleSurface& SingularityHandles::GetSurface() const
+{
+  return this->Surface;
+}
+
+//------------------------------------------------------------------------------
+HandlePlane::Vector SingularityHandles::PlaceOf(const SingularityRow& row) const
+{
+  return this->Surface.IsEmpty() ? this->Plane.ToSpace({ row[0], row[1] })
+                                 : HandlePlane::Vector{ row[0], row[1], row[3] };
 }
 
 //------------------------------------------------------------------------------
@@ -237,7 +270,7 @@ void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int ch
     Handle& handle = this->Handles[i];
     const int quarterIndex = QuarterIndexOf(rows[i]);
     const bool isChosen = static_cast<int>(i) == chosen;
-    HandlePlane::Vector place = this->Plane.ToSpace({ rows[i][0], rows[i][1] });
+    HandlePlane::Vector place = this->PlaceOf(rows[i]);
     handle.Disc->GetPositionCoordinate()->SetValue(place.data());
     if (handle.Drawn == std::pair(quarterIndex, isChosen))
     {
@@ -256,9 +289,9 @@ void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int ch
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 2> SingularityHandles::PixelOf(const std::array<double, 2>& point) const
+std::array<double, 2> SingularityHandles::PixelOf(const SingularityRow& row) const
 {
-  const auto [x, y, z] = this->Plane.ToSpace(point);
+  const auto [x, y, z] = this->PlaceOf(row);
   this->Renderer->SetWorldPoint(x, y, z, 1);
   this->Renderer->WorldToDisplay();
   const double* pixel = this->Renderer->GetDisplayPoint();
@@ -266,9 +299,33 @@ std::array<double, 2> SingularityHandles::PixelOf(const std::array<double, 2>& p
 }
 
 //------------------------------------------------------------------------------
-double SingularityHandles::GetDiscRadius() const
+double SingularityHandles::GetSpacing() const
 {
-  return DiscRadius * this->PixelRatio;
+  return 5 * DiscRadius * this->PixelRatio;
+}
+
+//------------------------------------------------------------------------------
+SingularityRow SingularityHandles::FindFreeRow(const std::vector<SingularityRow>& others,
+  const SingularityRow& row, const std::array<double, 2>& pixel) const
+{
+  // Seen from the eye, so that others on the far side count as well: a handle never covers another when the
+  // view is turned a little.
+  std::vector<SingularityRow> taken;
+  for (const SingularityRow& other : others)
+  {
+    const std::array<double, 2> place = this->PixelOf(other);
+    taken.push_back({ place[0], place[1], 0, 0 });
+  }
+  while (taken.size() < 2 * others.size() + 100)
+  {
+    const std::array<double, 2> free = FindFreePosition(taken, pixel, this->GetSpacing());
+    if (const auto found = this->Moved(row, free[0], free[1]))
+    {
+      return *found;
+    }
+    taken.push_back({ free[0], free[1], 0, 0 }); // beside the surface
+  }
+  return row;
 }
 
 //------------------------------------------------------------------------------
@@ -276,10 +333,14 @@ int SingularityHandles::RowAt(int x, int y) const
 {
   int nearest = -1;
   // A margin of three pixels around the disc makes it easier to hit.
-  double smallest = this->GetDiscRadius() + 3 * this->PixelRatio;
+  double smallest = (DiscRadius + 3) * this->PixelRatio;
   for (std::size_t i = 0; this->Renderer && i < this->Rows.size(); ++i)
   {
-    const std::array<double, 2> pixel = this->PixelOf({ this->Rows[i][0], this->Rows[i][1] });
+    if (!this->Handles[i].Disc->GetVisibility())
+    {
+      continue;
+    }
+    const std::array<double, 2> pixel = this->PixelOf(this->Rows[i]);
     const double distance = std::hypot(pixel[0] - x, pixel[1] - y);
     if (distance < smallest)
     {
@@ -291,13 +352,9 @@ int SingularityHandles::RowAt(int x, int y) const
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::array<double, 2>> SingularityHandles::PlanePointAt(double x, double y) const
+/** Returns the points of the near and the far plane of the camera on a line of sight. */
+std::array<HandlePlane::Vector, 2> SingularityHandles::SightThrough(double x, double y) const
 {
-  if (!this->Renderer)
-  {
-    return std::nullopt;
-  }
-  // The line of sight from the near to the far plane of the camera.
   std::array<HandlePlane::Vector, 2> ends{};
   for (int end = 0; end < 2; ++end)
   {
@@ -309,5 +366,63 @@ std::optional<std::array<double, 2>> SingularityHandles::PlanePointAt(double x, 
       ends[end][i] = world[i] / world[3];
     }
   }
-  return this->Plane.IntersectRay(ends[0], ends[1]);
+  return ends;
+}
+
+//------------------------------------------------------------------------------
+std::optional<SingularityRow> SingularityHandles::Moved(
+  const SingularityRow& row, double x, double y) const
+{
+  if (!this->Renderer)
+  {
+    return std::nullopt;
+  }
+  const auto [eye, beyond] = this->SightThrough(x, y);
+  SingularityRow moved = row;
+  if (this->Surface.IsEmpty())
+  {
+    const auto point = this->Plane.IntersectRay(eye, beyond);
+    if (!point)
+    {
+      return std::nullopt;
+    }
+    moved[0] = (*point)[0];
+    moved[1] = (*point)[1];
+    return moved;
+  }
+  const auto place = this->Surface.IntersectRay(eye, beyond);
+  if (!place)
+  {
+    return std::nullopt;
+  }
+  moved[0] = (*place)[0];
+  moved[1] = (*place)[1];
+  moved[3] = (*place)[2];
+  return moved;
+}
+
+//------------------------------------------------------------------------------
+void SingularityHandles::OnRender(vtkObject*, unsigned long, void* self, void*)
+{
+  static_cast<SingularityHandles*>(self)->ShowVisible();
+}
+
+//------------------------------------------------------------------------------
+void SingularityHandles::ShowVisible()
+{
+  for (std::size_t i = 0; i < this->Handles.size() && i < this->Rows.size(); ++i)
+  {
+    bool isVisible = true;
+    if (!this->Surface.IsEmpty())
+    {
+      const std::array<double, 2> pixel = this->PixelOf(this->Rows[i]);
+      const HandlePlane::Vector eye = this->SightThrough(pixel[0], pixel[1])[0];
+      isVisible = !this->Surface.Hides(eye, this->PlaceOf(this->Rows[i]));
+    }
+    this->Handles[i].Disc->SetVisibility(isVisible);
+    for (const auto& label : this->Handles[i].Labels)
+    {
+      label->SetVisibility(isVisible);
+    }
+  }
 }

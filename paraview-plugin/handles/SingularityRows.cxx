@@ -29,18 +29,22 @@ int QuarterIndexOf(const SingularityRow& row)
   return static_cast<int>(std::lround(row[2]));
 }
 
-bool HaveSamePositions(
-  const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others)
+bool HaveSamePositions(const std::vector<SingularityRow>& rows,
+  const std::vector<SingularityRow>& others, bool areOnSurface)
 {
+  const auto heightOf = [areOnSurface](const SingularityRow& row)
+  { return areOnSurface ? row[3] : 0.0; };
   double largest = 0;
   for (const SingularityRow& row : rows)
   {
-    largest = std::max({ largest, std::abs(row[0]), std::abs(row[1]) });
+    largest =
+      std::max({ largest, std::abs(row[0]), std::abs(row[1]), std::abs(heightOf(row)) });
   }
   const auto areSame = [&](const SingularityRow& row, const SingularityRow& other)
   {
     return QuarterIndexOf(row) == QuarterIndexOf(other) &&
-      std::hypot(row[0] - other[0], row[1] - other[1]) <= 1e-9 * largest;
+      std::hypot(row[0] - other[0], row[1] - other[1], heightOf(row) - heightOf(other)) <=
+      1e-9 * largest;
   };
   return std::equal(rows.begin(), rows.end(), others.begin(), others.end(), areSame);
 }

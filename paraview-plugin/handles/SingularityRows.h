@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-/** Position x and y, quarter index, and radius of the hole. */
+/** Position x and y, quarter index, and radius of the hole, or z on a surface. */
 using SingularityRow = std::array<double, 4>;
 
 /** Splits a flat list of numbers into rows; an incomplete row at the end is dropped. */
@@ -26,10 +26,10 @@ int QuarterIndexOf(const SingularityRow& row);
 /**
  * Reports whether two lists have the same quarter indices at the same positions, up to the rounding
  * of a filter that transforms them into a plane and back: 1e-9 of the largest coordinate. Radii are
- * ignored.
+ * ignored, z is not.
  */
-bool HaveSamePositions(
-  const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others);
+bool HaveSamePositions(const std::vector<SingularityRow>& rows,
+  const std::vector<SingularityRow>& others, bool areOnSurface);
 
 /**
  * Returns a position at a distance of at least `distance` from every row: `preferred` itself, or

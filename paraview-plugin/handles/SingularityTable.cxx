@@ -14,6 +14,7 @@ namespace
 {
 constexpr int QuarterIndexColumn = 2;
 constexpr int RadiusColumn = 3;
+constexpr const char* RadiusHeader = "radius";
 
 QString ShortText(double number, int column)
 {
@@ -46,7 +47,9 @@ public:
     {
       auto* validator = new QDoubleValidator(editor);
       validator->setLocale(QLocale::c()); // a decimal point in every language, as in ParaView
-      if (index.column() == RadiusColumn)
+      const QAbstractItemModel* model = index.model();
+      if (index.column() == RadiusColumn &&
+        model->headerData(RadiusColumn, Qt::Horizontal).toString() == RadiusHeader)
       {
         validator->setBottom(0);
       }
@@ -95,13 +98,11 @@ SingularityTable::SingularityTable(QWidget* parent)
   : QTableWidget(0, 4, parent)
 {
   this->setObjectName("SingularityTable");
-  this->setHorizontalHeaderLabels({ "x", "y", "k", "radius" });
+  this->setHorizontalHeaderLabels({ "x", "y", "k", RadiusHeader });
   this->horizontalHeaderItem(QuarterIndexColumn)
     ->setToolTip(
       "Quarter index, four times the index of the singularity: "
       "+1 is a node of valence 3 of a quad mesh, \u22121 one of valence 5; see docs/glossary.md.");
-  this->horizontalHeaderItem(RadiusColumn)
-    ->setToolTip("Radius of the hole that Drill Holes drills there.");
   // The panel may be wider than its visible part: columns are as narrow as the numbers allow, and
   // k, which identifies handles, comes first.
   this->horizontalHeader()->setDefaultSectionSize(
@@ -124,13 +125,23 @@ SingularityTable::SingularityTable(QWidget* parent)
       const QModelIndexList chosen = this->selectionModel()->selectedRows();
       Q_EMIT this->RowChosen(chosen.empty() ? -1 : chosen.front().row());
     });
-  this->UpdateFixedSize(0);
+  this->ShowHeight(false);
 }
 
 //------------------------------------------------------------------------------
 void SingularityTable::HideRadius()
 {
-  this->setColumnHidden(RadiusColumn, true);
+  this->HasRadius = false;
+  this->ShowHeight(false);
+}
+
+//------------------------------------------------------------------------------
+void SingularityTable::ShowHeight(bool isShown)
+{
+  QTableWidgetItem* header = this->horizontalHeaderItem(RadiusColumn);
+  header->setText(isShown ? "z" : RadiusHeader);
+  header->setToolTip(isShown ? "" : "Radius of the hole that Drill Holes drills there.");
+  this->setColumnHidden(RadiusColumn, !isShown && !this->HasRadius);
   this->UpdateFixedSize(this->rowCount());
 }
 

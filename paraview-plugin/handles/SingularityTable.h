@@ -1,6 +1,6 @@
 /**
  * @class   SingularityTable
- * @brief   the table of singularities in the panel: k, x, y, radius
+ * @brief   the table of singularities in the panel: k, x, y, radius or z
  *
  * Numbers are shown with three digits, and the quarter index with its sign and colour; numbers that
  * are not edited keep all their digits. One row can be selected.
@@ -28,6 +28,9 @@ public:
   /** Hides the column of radii. */
   void HideRadius();
 
+  /** Shows z in the place of the radius. */
+  void ShowHeight(bool isShown);
+
 Q_SIGNALS:
   /** Emitted when the user has typed a number. */
   void NumberTyped(int row, int column, double number);
@@ -36,6 +39,8 @@ Q_SIGNALS:
 
 private:
   void UpdateFixedSize(int rows);
+
+  bool HasRadius = true;
 };
 
 #endif

@@ -38,6 +38,7 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   , Singularities(group->GetProperty("Singularities"))
   , OutputRows(group->GetProperty("Rows"))
   , Plane(group->GetProperty("Plane"))
+  , Triangles(group->GetProperty("Triangles"))
   , Dragging(group->GetProperty("Dragging"))
 {
   this->setShowLabel(false);
@@ -228,16 +229,31 @@ void pqSingularityHandlesWidget::ReadPlane()
   this->proxy()->UpdatePropertyInformation(this->Plane);
   const HandlePlane plane =
     HandlePlane::FromNumbers(vtkSMPropertyHelper(this->Plane).GetDoubleArray());
-  if (plane == this->Handles.GetPlane())
+  HandleSurface surface;
+  if (this->Triangles)
+  {
+    this->proxy()->UpdatePropertyInformation(this->Triangles);
+    surface = HandleSurface(vtkSMPropertyHelper(this->Triangles).GetDoubleArray());
+  }
+  if (plane == this->Handles.GetPlane() && surface == this->Handles.GetSurface())
   {
     return;
   }
+  this->Table->ShowHeight(!surface.IsEmpty());
   this->Handles.SetPlane(plane);
+  this->Handles.SetSurface(std::move(surface));
   this->Handles.SetRows(this->Rows, this->Chosen);
   if (this->Handles.GetRenderer())
   {
     this->view()->render();
   }
+}
+
+//------------------------------------------------------------------------------
+bool pqSingularityHandlesWidget::AreSame(
+  const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others) const
+{
+  return HaveSamePositions(rows, others, !this->Handles.GetSurface().IsEmpty());
 }
 
 //------------------------------------------------------------------------------
@@ -253,11 +269,11 @@ void pqSingularityHandlesWidget::ReadOutput()
   const std::vector<SingularityRow> before = this->PropertyRows();
   const QString command = std::exchange(this->Command, QString());
   const bool isComputed = this->AreRowsComputed();
-  if (isComputed && (command.isEmpty() || rows.empty() || HaveSamePositions(rows, this->Rows)))
+  if (isComputed && (command.isEmpty() || rows.empty() || this->AreSame(rows, this->Rows)))
   {
     this->AdoptRows(rows);
   }
-  else if (!this->Domain && !rows.empty() && !HaveSamePositions(rows, before))
+  else if (!this->Domain && !rows.empty() && !this->AreSame(rows, before))
   {
     this->Commit(before, rows, command.isEmpty() ? "Move Singularities" : command);
   }
@@ -395,36 +411,45 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
 {
   std::vector<SingularityRow> rows = this->Rows;
   // Defaults if the active view has no handles: at the origin, 0.1 apart.
-  std::array<double, 2> middle = { 0, 0 };
+  SingularityRow middle = { 0, 0, 0, 0.1 }; // the radius as in the default rows
+  if (!rows.empty())
+  {
+    middle[3] = this->Chosen >= 0 ? rows[this->Chosen][3] : rows.back()[3];
+  }
   double distance = 0.1;
+  std::array<double, 2> pixel = { 0, 0 };
   if (vtkRenderer* renderer = this->Handles.GetRenderer())
   {
     const int* size = renderer->GetSize();
-    std::array<double, 2> pixel = { size[0] / 2.0, size[1] / 2.0 };
+    pixel = { size[0] / 2.0, size[1] / 2.0 };
     if (this->Chosen >= 0)
     {
-      const SingularityRow& chosen = rows[this->Chosen];
-      pixel = this->Handles.PixelOf({ chosen[0], chosen[1] });
+      pixel = this->Handles.PixelOf(rows[this->Chosen]);
     }
-    // Centres are five disc radii apart, so that the field between them is visible.
-    const auto found = this->Handles.PlanePointAt(pixel[0], pixel[1]);
+    const auto found = this->Handles.Moved(middle, pixel[0], pixel[1]);
     const auto beside =
-      this->Handles.PlanePointAt(pixel[0] + 5 * this->Handles.GetDiscRadius(), pixel[1]);
+      this->Handles.Moved(middle, pixel[0] + this->Handles.GetSpacing(), pixel[1]);
     middle = found.value_or(middle);
     if (found && beside)
     {
       distance = std::hypot((*beside)[0] - middle[0], (*beside)[1] - middle[1]);
     }
   }
-  double radius = 0.1; // as in the default rows
-  if (!rows.empty())
-  {
-    radius = this->Chosen >= 0 ? rows[this->Chosen][3] : rows.back()[3];
-  }
   for (const int quarterIndex : quarterIndices)
   {
-    const std::array<double, 2> position = FindFreePosition(rows, middle, distance);
-    rows.push_back({ position[0], position[1], static_cast<double>(quarterIndex), radius });
+    SingularityRow added = middle;
+    if (this->Handles.GetSurface().IsEmpty())
+    {
+      const std::array<double, 2> free = FindFreePosition(rows, { middle[0], middle[1] }, distance);
+      added[0] = free[0];
+      added[1] = free[1];
+    }
+    else if (this->Handles.GetRenderer())
+    {
+      added = this->Handles.FindFreeRow(rows, middle, pixel);
+    }
+    added[2] = quarterIndex;
+    rows.push_back(added);
   }
   this->Chosen = static_cast<int>(rows.size()) - 1;
   this->Commit(this->PropertyRows(), rows,

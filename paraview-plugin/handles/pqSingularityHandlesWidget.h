@@ -22,6 +22,10 @@
  * A proxy whose rows are not in the plane z = 0 reports their plane in an information property with
  * the function `Plane`: nine numbers, the origin and the two axes of its coordinates.
  *
+ * A filter whose rows are on a surface in space, x, y, quarter index and z, reports triangles near it in an information
+ * property with the function `Triangles`, nine numbers each; without triangles rows are in the plane. Handles slide on
+ * them.
+ *
  * A filter that can compute a draft while a handle is dragged has a property with the function
  * `Dragging`, which is 1 during a drag.
  *
@@ -100,6 +104,8 @@ private:
   std::vector<SingularityRow> PropertyRows() const;
   bool AreRowsComputed() const;
   void ReadPlane();
+  bool AreSame(
+    const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others) const;
   void ReadOutput();
   void AdoptRows(const std::vector<SingularityRow>& rows);
   void WriteProperty(const std::vector<SingularityRow>& rows);
@@ -129,6 +135,7 @@ private:
   vtkSMProperty* Singularities = nullptr;
   vtkSMProperty* OutputRows = nullptr; ///< Optional.
   vtkSMProperty* Plane = nullptr;      ///< Optional.
+  vtkSMProperty* Triangles = nullptr;  ///< Optional.
   vtkSMProperty* Dragging = nullptr;   ///< Optional.
   vtkSMProperty* Domain = nullptr;     ///< To which default rows are fitted; optional.
   std::vector<SingularityRow> Rows;

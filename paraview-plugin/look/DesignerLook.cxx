@@ -24,6 +24,12 @@ namespace
 {
 using Look::Set;
 
+bool HasTriangles(vtkSMProxy* designer)
+{
+  designer->UpdatePropertyInformation(designer->GetProperty("Triangles"));
+  return vtkSMPropertyHelper(designer, "Triangles").GetNumberOfElements() > 0;
+}
+
 /** Returns the normal of the layout's plane towards the camera. */
 HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* representation)
 {
@@ -55,8 +61,18 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // ParaView's choice, with a legend
   const vtkBoundingBox box(source->getSourceProxy()->GetDataInformation(1)->GetBounds());
   const HandlePlane::Vector up = TowardsEye(source->getProxy(), representation);
+  const bool isOnSurface = HasTriangles(source->getProxy());
   const auto lift = [&](double part)
   {
+    if (isOnSurface)
+    {
+      Set(shown, "RenderLinesAsTubes", 1.0); // in front of the patches from all sides
+      if (port == 3)
+      {
+        Set(shown, "LineWidth", 1.5);
+      }
+      return;
+    }
     // Too small to be visible from the side.
     const double height = box.IsValid() ? part * box.GetDiagonalLength() : 0;
     const HandlePlane::Vector position = { height * up[0], height * up[1], height * up[2] };
@@ -78,7 +94,10 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     break;
   }
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
-  Look::SetFlat(shown);
+  if (!isOnSurface || port != 1) // shading shows the shape
+  {
+    Look::SetFlat(shown);
+  }
   switch (port)
   {
   case 0:

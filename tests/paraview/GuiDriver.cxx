@@ -165,10 +165,15 @@ extern "C"
   }
 
   /**
-   * Opens a file with File > Open: types its name, and selects the reader in the list that follows.
+   * Opens a file with File > Open: types its name and, unless `reader` is null, selects the reader in the list that
+   * follows.
    */
   bool gui_open(const char* file, const char* reader)
   {
+    if (!reader)
+    {
+      return GuiDialogs::Run("actionFileOpen", { GuiDialogs::TypeFile(QString::fromUtf8(file)) });
+    }
     const GuiDialogs::Response choose = { "pqSelectReaderDialog",
       [reader](QWidget* dialog)
       {
