@@ -28,7 +28,10 @@ PYTHONPATH=$python /usr/bin/python3 scripts/pictures/regions.py docs/regions
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/lines.py docs/lines
 
 build=$(dirname "$(dirname "$(command -v "$crossfield")")")
-ctest --test-dir "$build" -R '^ParaView\.RecordedRun$' --output-on-failure
+ctest --test-dir "$build" -R '^ParaView\.(RecordedRun|SurfaceDesign)$' --output-on-failure
+for step in design dragging; do
+  cp "$build/tests/paraview/surface_design/$step.png" docs/stl_to_quads/
+done
 for step in propose drag quads; do
   cp "$build/tests/paraview/recorded_run/$step.png" "$folder/tutorial_$step.png"
 done
