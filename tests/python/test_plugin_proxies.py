@@ -33,8 +33,8 @@ PROXIES = {
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize KeepMesh"),
-    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Propose Optimise Snap AddPair Undo Quads Merge Dragging "
-                       "QuadSize QuadCount MeshSize CapCorners"),
+    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Triangles Propose Optimise Snap AddPair Undo Quads Merge Dragging "
+                       "QuadSize QuadCount FeatureAngle MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
                    "HoldSingularities FeatureAngle ChordError RepairHolonomy SplitSingularities Curves"),

@@ -246,7 +246,7 @@ def test_what_filters_of_paraview_give():
     raised = IsoVolume(Input=Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0]), InputScalars=["POINTS", "RTData"], ThresholdRange=[160, 400])
     ring = 0.75 * math.pi
     cases = (("strips", TriangleStrips(Input=Triangulate(Input=disk)), 1, ring), ("image", image, 1, 200.0),
-             ("image as a structured grid", Calculator(Input=image, CoordinateResults=1, Function="coords"), 1, 200.0),
+             ("image as a structured grid", Transform(Input=image), 1, 200.0),
              ("appended", AppendDatasets(Input=[disk, other]), 2, 2 * ring), ("group", GroupDatasets(Input=[disk, other]), 2, 2 * ring),
              ("group of loops", GroupDatasets(Input=[outer, inner]), 1, 0.91 * math.pi), ("bent", bent, 1, ring),
              ("iso volume", raised, 3, None))
@@ -260,6 +260,43 @@ def test_what_filters_of_paraview_give():
         if area is not None:
             total = servermanager.Fetch(IntegrateVariables(Input=mesher)).GetCellData().GetArray("Area").GetValue(0)
             check(abs(total - area) < 0.01 * area, "%s: area %g instead of %g" % (name, total, area))
+
+
+def test_what_filters_of_paraview_give_in_space():
+    image = Calculator(Input=Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8]), ResultArrayName="r",
+                       Function="sqrt(coordsX^2 + coordsY^2 + 1.5*coordsZ^2)")
+    slice_ = Slice(Input=image, SliceType="Sphere")
+    slice_.SliceType.Radius = 6
+    half = Clip(Input=slice_)
+    half.ClipType.Normal = [1, 0, 0]
+    cases = (("slice", slice_, 2), ("clip", half, 1), ("contour", Contour(Input=image, ContourBy=["POINTS", "r"], Isosurfaces=[6.0]), 2),
+             ("iso volume", IsoVolume(Input=image, InputScalars=["POINTS", "r"], ThresholdRange=[0, 6]), 2))
+    for name, source, characteristic in cases:
+        mesher = QuadMesher(Input=source, QuadCount=400)
+        mesher.UpdatePipeline()
+        quads = servermanager.Fetch(mesher)
+        check(280 < quads.GetNumberOfCells() < 520, "%s: %d quads" % (name, quads.GetNumberOfCells()))
+        sides = servermanager.Fetch(mesher, idx=5).GetNumberOfCells()
+        edges = (4 * quads.GetNumberOfCells() + sides) // 2
+        check_equal(quads.GetNumberOfPoints() - edges + quads.GetNumberOfCells(), characteristic, "χ of " + name)
+
+
+def test_layout_designer_on_a_surface():
+    designer = LayoutDesigner(Input=Sphere(Radius=1, ThetaResolution=40, PhiResolution=30), QuadCount=300)
+    designer.UpdatePipeline()
+    designer.UpdatePropertyInformation()
+    rows = np.reshape(designer.GetProperty("Rows"), (-1, 4))
+    check_equal(rows[:, 2].sum(), 8, "the sum of quarter indices")
+    check(abs(np.linalg.norm(rows[:, [0, 1, 3]], axis=1) - 1).max() < 0.02, "rows are on the sphere")
+    check(len(designer.GetProperty("Triangles")) % 9 == 0, "nine numbers each")
+    check(240 < servermanager.Fetch(designer, idx=3).GetNumberOfCells() < 360, "the quads")
+    turned = rows @ [[np.cos(0.2), np.sin(0.2), 0, 0], [-np.sin(0.2), np.cos(0.2), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    designer.Singularities = list(turned.ravel())
+    designer.UpdatePipeline()
+    check_equal(value(fetch(designer), "Stale"), 0, "whether the layout is stale")
+    nodes = servermanager.Fetch(designer, idx=2)
+    found = np.array([nodes.GetPoint(i) for i in range(nodes.GetNumberOfPoints())])
+    check(abs(found - turned[:, [0, 1, 3]]).max() < 0.05, "nodes are at the rows")
 
 
 def test_sides():
@@ -317,6 +354,4 @@ def test_quad_mesher_outputs():
         check(math.dist(given.GetPoint(i), quads.GetPoint(i)) < 1e-9, "point %d is elsewhere" % i)
 
 
-run_tests(test_h_field, test_save_data_for_solvers, test_save_data_behind_a_transform, test_periodic_sides, test_extruded_quads, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
-          test_energies, test_size_arrays, test_quad_mesher_for_a_first_user,
-          test_sides, test_quad_mesher_outputs)
+run_tests(*[test for name, test in list(globals().items()) if name.startswith("test_")])
