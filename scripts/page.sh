@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes a page with pictures; quads.sh and automatic.sh call it:
+# Makes a page with pictures; quads.sh, surfaces.sh and others call it:
 #
 #   scripts/page.sh PAGE PYTHON MAKER DRAWER [FOLDER [NAME...]]
 #

@@ -24,6 +24,6 @@ directions = {name: direction for name, _, _, direction, _ in CASES}
 for one in arguments.names:
     path = os.path.join(arguments.folder, one)
     view = new_window(arguments.width * 3 // 2, arguments.width * 5 // 4)
-    add_quads(path + ".vtu", view, (0, 0, 1, 1), directions[one], 1.3)
+    add_quads(path + ".vtu", view, (0, 0, 1, 1), directions[one])
     save(view, path + ".png")
     print("wrote", path + ".png")

@@ -1,5 +1,10 @@
 """Draws quads on surfaces in space with VTK, for the scripts of this folder."""
+import numpy as np
 import vtk
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+# Pale colours of different tones, which distinguish adjacent regions.
+PALE = [(0.86, 0.88, 0.92), (0.98, 0.87, 0.72), (0.80, 0.90, 0.80), (0.95, 0.82, 0.88), (0.99, 0.96, 0.75), (0.86, 0.83, 0.94), (0.80, 0.94, 0.93)]
 
 
 def read_quads(path):
@@ -9,10 +14,10 @@ def read_quads(path):
     return reader.GetOutput()
 
 
-def lines_of(port, colour, width):
+def lines_of(data, colour, width):
     """Returns an actor of lines that lighting does not change."""
     mapper = vtk.vtkDataSetMapper()
-    mapper.SetInputConnection(port)
+    mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
@@ -23,13 +28,14 @@ def lines_of(port, colour, width):
 
 
 def marked_lines(grid):
-    """Returns a filter with the boundary, sharp edges and lines between regions."""
+    """Returns the boundary, sharp edges and lines between regions."""
     marked = vtk.vtkThreshold()
     marked.SetInputData(grid)
     marked.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "BoundaryKind")
     marked.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_UPPER)
     marked.SetUpperThreshold(0.5)
-    return marked
+    marked.Update()
+    return marked.GetOutput()
 
 
 def add_nodes(grid, renderer, radius):
@@ -48,32 +54,67 @@ def add_nodes(grid, renderer, radius):
             renderer.AddActor(actor)
 
 
-def add_quads(path, window, viewport, direction, zoom):
+def colour_regions(grid, mapper):
+    """Gives each region a colour; without regions all quads have the first one."""
+    names = grid.GetCellData().GetAbstractArray("Region")
+    numbers, tones = {}, vtk.vtkUnsignedCharArray()
+    tones.SetName("Tone")
+    tones.SetNumberOfComponents(3)
+    for cell in range(grid.GetNumberOfCells()):
+        region = names.GetVariantValue(cell).ToString() if names and grid.GetCell(cell).GetCellDimension() == 2 else ""
+        number = numbers.setdefault(region, len(numbers)) if region else 0
+        tones.InsertNextTuple3(*(255 * part for part in PALE[number % len(PALE)]))
+    grid.GetCellData().AddArray(tones)
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("Tone")
+    mapper.SetColorModeToDirectScalars()
+
+
+def fit(camera, grid, aspect, margin=1.06):
+    """Moves the camera along the picture, and chooses its scale, so that the grid fills the picture."""
+    forward, up = np.array(camera.GetDirectionOfProjection()), np.array(camera.GetViewUp())
+    right = np.cross(forward, up)
+    right /= np.linalg.norm(right)
+    up = np.cross(right, forward)
+    places = vtk_to_numpy(grid.GetPoints().GetData())
+    centre, halves = np.zeros(3), []
+    for axis in (right, up, forward):
+        low, high = (places @ axis).min(), (places @ axis).max()
+        centre += axis * (low + high) / 2
+        halves.append((high - low) / 2)
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(centre - forward * (1 + 4 * max(halves))))
+    camera.SetParallelScale(margin * max(halves[1], halves[0] / aspect))
+
+
+def add_quads(path, window, viewport, direction):
     """Draws the quads of a file in a viewport of the window, seen from a direction."""
     grid = read_quads(path)
     renderer = vtk.vtkRenderer()
     renderer.SetViewport(*viewport)
     renderer.SetBackground(1, 1, 1)
-    mapper = vtk.vtkDataSetMapper()
-    mapper.SetInputData(grid)
-    mapper.ScalarVisibilityOff()
-    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1)
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    quads = vtk.vtkActor()
-    quads.SetMapper(mapper)
-    quads.GetProperty().SetColor(0.86, 0.88, 0.92)
-    renderer.AddActor(quads)
-    edges = vtk.vtkExtractEdges()
-    edges.SetInputData(grid)
-    renderer.AddActor(lines_of(edges.GetOutputPort(), (0.25, 0.3, 0.4), 1))
-    renderer.AddActor(lines_of(marked_lines(grid).GetOutputPort(), (0.1, 0.1, 0.15), 2.5))
-    add_nodes(grid, renderer, 0.014 * max(b - a for a, b in zip(grid.GetBounds()[::2], grid.GetBounds()[1::2])))
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetPosition(*direction)
     camera.SetViewUp(0, 0, 1)
-    renderer.ResetCamera()
-    camera.Zoom(zoom)
+    width, height = window.GetSize()
+    fit(camera, grid, (viewport[2] - viewport[0]) * width / ((viewport[3] - viewport[1]) * height))
+    mapper = vtk.vtkDataSetMapper()
+    colour_regions(grid, mapper)
+    mapper.SetInputData(grid)
+    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1)
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    quads = vtk.vtkActor()
+    quads.SetMapper(mapper)
+    quads.GetProperty().SetAmbient(0.2)
+    quads.GetProperty().SetDiffuse(0.8)
+    renderer.AddActor(quads)
+    edges = vtk.vtkExtractEdges()
+    edges.SetInputData(grid)
+    edges.Update()
+    renderer.AddActor(lines_of(edges.GetOutput(), (0.25, 0.3, 0.4), 1))
+    renderer.AddActor(lines_of(marked_lines(grid), (0.1, 0.1, 0.15), 2.5))
+    add_nodes(grid, renderer, 0.022 * camera.GetParallelScale())
     renderer.ResetCameraClippingRange()
     window.AddRenderer(renderer)
 

@@ -17,14 +17,14 @@ from surface_view import add_quads, new_window, save
 SIDE = 420  # of a panel, in pixels
 
 
-def draw(program, inputs, zoom, path):
+def draw(program, inputs, path):
     """Meshes surfaces, given with a number of quads and a direction of view, and draws them beside each other."""
     window = new_window(SIDE * len(inputs), SIDE)
     with tempfile.TemporaryDirectory() as work:
         for column, (surface, count, direction) in enumerate(inputs):
             quads = os.path.join(work, "quads.vtu")
             subprocess.run([program, "quads", surface, "--quads", str(count), "-o", quads], check=True)
-            add_quads(quads, window, (column / len(inputs), 0, (column + 1) / len(inputs), 1), direction, zoom)
+            add_quads(quads, window, (column / len(inputs), 0, (column + 1) / len(inputs), 1), direction)
     save(window, path)
 
 
@@ -35,8 +35,8 @@ def main(program, folder):
         write(frame_of_potentials(), ring)
         write(panel(), plate)
         draw(program, ((docs + "ellipsoid.off", 1200, (2, -3, 1.6)), (ring, 2500, (0.5, -2, 3)),
-                       (plate, 1200, (0.4, -1.4, 3))), 1.2, os.path.join(folder, "chosen.png"))
-    draw(program, ((docs + "bracket.off", 1500, (2, -3, 3)), (docs + "bracket.off", 1500, (-2, 3, -3))), 0.95,
+                       (plate, 1200, (0.4, -1.4, 3))), os.path.join(folder, "chosen.png"))
+    draw(program, ((docs + "bracket.off", 1500, (2, -3, 3)), (docs + "bracket.off", 1500, (-2, 3, -3))),
          os.path.join(folder, "bracket.png"))
 
 

@@ -84,7 +84,7 @@ def aeroplane():
     """Returns a fuselage and a wing that blend into each other."""
     def field(x, y, z):
         fuselage = 1 - np.sqrt((x / 2.4) ** 2 + (y / 0.5) ** 2 + (z / 0.5) ** 2)
-        wing = 1 - np.sqrt(((x - 0.1 + 0.25 * np.sqrt(y * y + 0.1)) / 0.7) ** 2 + (y / 2.3) ** 2 + (z / 0.2) ** 2)
+        wing = 1 - np.sqrt(((x - 0.1 + 0.25 * np.sqrt(y * y + 0.1)) / 0.7) ** 2 + (y / 2.3) ** 2 + (z / 0.3) ** 2)
         return 0.08 * np.log(np.exp(fuselage / 0.08) + np.exp(wing / 0.08))
     return level(field, (-2.7, -2.6, -0.7), (2.7, 2.6, 0.7), 0.06)
 

@@ -19,11 +19,12 @@ def panel():
 
 
 def window(x, y, width, height, step):
-    """Returns a rounded rectangle."""
-    count = round(2 * (width + height) / step)
-    angles = 2 * math.pi * np.arange(count) / count
+    """Returns a rounded rectangle, with points at equal distances."""
+    angles = np.linspace(0, 2 * math.pi, 2001)
     half = [np.sign(part) * np.abs(part) ** 0.55 for part in (np.cos(angles), np.sin(angles))]
-    return [(x + width / 2 * a, y + height / 2 * b) for a, b in zip(*half)]
+    along = np.concatenate([[0], np.cumsum(np.hypot(width / 2 * np.diff(half[0]), height / 2 * np.diff(half[1])))])
+    places = np.linspace(0, along[-1], round(along[-1] / step), endpoint=False)
+    return [(x + width / 2 * a, y + height / 2 * b) for a, b in zip(*(np.interp(places, along, part) for part in half))]
 
 
 def car_body():
