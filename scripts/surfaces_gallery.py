@@ -59,20 +59,20 @@ CASES = (
      "Three rings that blend into each other, with three handles: quarter indices add up to −16."),
     ("frame", bodies.frame_of_potentials, "--quads 4000", (0.5, -2, 3),
      "A level of a sum of five potentials, as an example of an isosurface."),
-    ("wavelet", bodies.wavelet, "--quads 5000", (2, -3, 1.6),
-     "The largest part of a level of VTK's wavelet. [An example](../examples/isosurface/README.md) makes the same mesh in Python."),
+    ("wavelet", bodies.wavelet, "--quads 3000", (2, -3, 1.6),
+     "The largest part of a level of VTK's wavelet. [An example](../examples/isosurface/README.md) meshes the same surface in Python."),
     ("bumpy", bodies.bumpy, "--quads 2000", (2, -3, 1.6),
      "A body with bumps of several sizes, like a scan of a stone."),
     ("aeroplane", bodies.aeroplane, "--quads 4000", (2, -2, 3),
      "A fuselage and a wing that blend into each other."),
     ("tee", bodies.tee, "--quads 1500 --order 2", (1, -3, 2),
      "Two pipes that meet, as quads with nine nodes. The three ends are open."),
-    ("terrain", bodies.terrain, "--size 0.2 --size-near 1.8,2.4,0.5:0.05", (0.6, -2, 2),
+    ("terrain", bodies.terrain, "--size 0.15 --size-near 1.8,2.4,0.5:0.05,0.5", (0.6, -2, 2),
      "Heights over a rectangle. `--size-near` requests small quads at the higher summit."),
     ("gutter", bodies.gutter, "--quads 600", (-2, -2, 3),
      "Half a pipe that is bent by 90°. Its four corners suffice."),
-    ("spring", bodies.spring, "--quads 2000", (1, -3, 1.6),
-     "A tube along a helix, open at both ends."),
+    ("spring", bodies.spring, "-s none.csv --quads 2000", (1, -3, 1.6),
+     "A tube along a helix, open at both ends. `none.csv` is a table without rows: no irregular nodes. Without it eight pairs are chosen here."),
     ("panel", parts.panel, "--quads 1200", (0.4, -1.4, 3),
      "A bent plate with three holes."),
     ("car_body", parts.car_body, "--quads 2500 --count front_window:56 --size-at filler_cap:0.03", (0.3, -3, 0.7),
@@ -95,12 +95,14 @@ CASES = (
 )
 
 
+# Tables of singularities.
+TABLES = {"eight.csv": EIGHT, "none.csv": "x,y,z,quarter_index\n"}
+
+
 def write_input(folder, name, shape):
     """Writes the surface into the folder and returns the name of its file."""
     if not callable(shape):
         shutil.copy(DOCS / shape, folder)
-        if name == "ellipsoid":
-            (folder / "eight.csv").write_text(EIGHT, encoding="utf-8")
         return shape
     write(shape(), folder / (name + ".vtp"))
     return name + ".vtp"
@@ -150,6 +152,8 @@ def run(program, folder, arguments):
 
 def main(program, folder, wanted):
     table, pictures, names = [], [], []
+    for file, rows in TABLES.items():
+        (folder / file).write_text(rows, encoding="utf-8")
     for name, shape, options, _, text in CASES:
         if wanted and name not in wanted:
             continue

@@ -25,9 +25,10 @@ def isosurface():
     """Returns the largest part of the level as a vtkPolyData."""
     wavelet = vtkRTAnalyticSource()
     wavelet.SetWholeExtent(-20, 20, -20, 20, -20, 20)
-    wavelet.SetXFreq(30)  # half of the defaults: with these, quads would have to be half as large
-    wavelet.SetYFreq(15)
-    wavelet.SetZFreq(20)
+    # A third of the default frequencies. With these the surface has creases that are narrower than quads.
+    wavelet.SetXFreq(20)
+    wavelet.SetYFreq(10)
+    wavelet.SetZFreq(13)
     contour = vtkContourFilter()
     contour.SetInputConnection(wavelet.GetOutputPort())
     contour.SetValue(0, LEVEL)
@@ -65,7 +66,7 @@ def print_report(title, mesh):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--quads", type=int, default=1500)
+    parser.add_argument("--quads", type=int, default=3000)
     parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path())
     arguments = parser.parse_args()
 

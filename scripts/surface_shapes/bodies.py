@@ -65,9 +65,9 @@ def wavelet():
     """Returns the largest part of a level of VTK's wavelet. Lower levels reach the faces of the box, where parts end in thin wedges."""
     source = vtk.vtkRTAnalyticSource()
     source.SetWholeExtent(-20, 20, -20, 20, -20, 20)
-    source.SetXFreq(30)
-    source.SetYFreq(15)
-    source.SetZFreq(20)
+    source.SetXFreq(20)
+    source.SetYFreq(10)
+    source.SetZFreq(13)
     contour = vtk.vtkFlyingEdges3D()
     contour.SetInputConnection(source.GetOutputPort())
     contour.SetValue(0, 200)
