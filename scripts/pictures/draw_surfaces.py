@@ -11,7 +11,7 @@ import pathlib
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
-from surface_view import add_quads, new_window, save
+from surface_view import add_quads, extent, new_window, read_quads, save
 from surfaces_gallery import CASES
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -23,7 +23,9 @@ arguments = parser.parse_args()
 directions = {name: direction for name, _, _, direction, _ in CASES}
 for one in arguments.names:
     path = os.path.join(arguments.folder, one)
-    view = new_window(arguments.width * 3 // 2, arguments.width * 5 // 4)
+    _, (across, high, _) = extent(read_quads(path + ".vtu"), directions[one])
+    width = arguments.width * 3 // 2
+    view = new_window(width, int(width * min(1.05 * high / across, 0.9)))
     add_quads(path + ".vtu", view, (0, 0, 1, 1), directions[one])
     save(view, path + ".png")
     print("wrote", path + ".png")

@@ -70,20 +70,27 @@ def colour_regions(grid, mapper):
     mapper.SetColorModeToDirectScalars()
 
 
-def fit(camera, grid, aspect, margin=1.06):
-    """Moves the camera along the picture, and chooses its scale, so that the grid fills the picture."""
-    forward, up = np.array(camera.GetDirectionOfProjection()), np.array(camera.GetViewUp())
-    right = np.cross(forward, up)
+def extent(grid, direction):
+    """Returns the centre of the grid seen from a direction, and half of its extent to the right, upwards and in depth in the picture."""
+    forward = -np.array(direction, dtype=float) / np.linalg.norm(direction)
+    right = np.cross(forward, (0, 0, 1))
     right /= np.linalg.norm(right)
-    up = np.cross(right, forward)
     places = vtk_to_numpy(grid.GetPoints().GetData())
     centre, halves = np.zeros(3), []
-    for axis in (right, up, forward):
+    for axis in (right, np.cross(right, forward), forward):
         low, high = (places @ axis).min(), (places @ axis).max()
         centre += axis * (low + high) / 2
         halves.append((high - low) / 2)
+    return centre, halves
+
+
+def fit(camera, grid, direction, aspect, margin=1.06):
+    """Places the camera so that the grid fills a picture of this aspect ratio."""
+    centre, halves = extent(grid, direction)
+    camera.ParallelProjectionOn()
     camera.SetFocalPoint(*centre)
-    camera.SetPosition(*(centre - forward * (1 + 4 * max(halves))))
+    camera.SetPosition(*(centre + np.array(direction) / np.linalg.norm(direction) * (1 + 4 * max(halves))))
+    camera.SetViewUp(0, 0, 1)
     camera.SetParallelScale(margin * max(halves[1], halves[0] / aspect))
 
 
@@ -94,11 +101,9 @@ def add_quads(path, window, viewport, direction):
     renderer.SetViewport(*viewport)
     renderer.SetBackground(1, 1, 1)
     camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetPosition(*direction)
-    camera.SetViewUp(0, 0, 1)
     width, height = window.GetSize()
-    fit(camera, grid, (viewport[2] - viewport[0]) * width / ((viewport[3] - viewport[1]) * height))
+    aspect = (viewport[2] - viewport[0]) * width / ((viewport[3] - viewport[1]) * height)
+    fit(camera, grid, direction, aspect)
     mapper = vtk.vtkDataSetMapper()
     colour_regions(grid, mapper)
     mapper.SetInputData(grid)
@@ -114,7 +119,7 @@ def add_quads(path, window, viewport, direction):
     edges.Update()
     renderer.AddActor(lines_of(edges.GetOutput(), (0.25, 0.3, 0.4), 1))
     renderer.AddActor(lines_of(marked_lines(grid), (0.1, 0.1, 0.15), 2.5))
-    add_nodes(grid, renderer, 0.022 * camera.GetParallelScale())
+    add_nodes(grid, renderer, 0.02 * aspect * camera.GetParallelScale())  # 1/50 of half of the picture's width
     renderer.ResetCameraClippingRange()
     window.AddRenderer(renderer)
 
