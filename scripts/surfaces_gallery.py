@@ -29,13 +29,13 @@ output. `scripts/surfaces.sh` makes this page and writes the surfaces to build/s
 In the pictures nodes of valence 3 are red and nodes of valence 5 blue; thick lines are the boundary, sharp edges and lines between
 regions. The table counts irregular nodes on these lines as well.
 
-| surface | triangles | faces | sharp edges | χ | quads | irregular nodes | blocks | scaled Jacobian: minimum, mean | largest distance / size | seconds |
+| surface | triangles | faces | sharp edges | χ | quads | irregular nodes | blocks | scaled Jacobian: minimum, mean | distance / size | seconds |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
 %s
 
 *Table: the meshes of this page. Faces: the parts between sharp edges and lines between regions. Sharp edges: lines that quads follow
-inside of the surface. χ: 2 − 2 × handles − boundary loops. Largest distance: of the centre of a quad from the triangles, divided by the
-mean side length of the quads. Seconds: the time of the whole run on 2 cores, including files.*
+inside of the surface. χ: 2 − 2 × handles − boundary loops. Distance: the largest one of the centre of a quad from the triangles, divided
+by the mean side length of the quads. Seconds: the time of the whole run on 2 cores, including files.*
 
 %s
 """
