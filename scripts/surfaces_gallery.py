@@ -54,9 +54,10 @@ CASES = (
     ("torus", bodies.torus, "--quads 1800", (1, -2, 2.5),
      "A torus needs no irregular nodes."),
     ("two_rings", bodies.two_rings, "--quads 2000", (0.5, -2, 3),
-     "A surface with two handles, where two rings blend into each other: quarter indices add up to −8."),
+     "A surface with two handles, where two rings blend into each other: quarter indices add up to −8. "
+     "Where separatrices nearly meet, between the rings, quads are narrow."),
     ("three_rings", bodies.three_rings, "--quads 3000", (0.5, -2, 3.4),
-     "Three rings that blend into each other, with three handles: quarter indices add up to −16."),
+     "Three rings that blend into each other, with three handles: quarter indices add up to −16. A strip of quads is narrow."),
     ("frame", bodies.frame_of_potentials, "--quads 4000", (0.5, -2, 3),
      "A level of a sum of five potentials, as an example of an isosurface."),
     ("wavelet", bodies.wavelet, "--quads 3000", (2, -3, 1.6),
