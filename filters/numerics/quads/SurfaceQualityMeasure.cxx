@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace crossfield
 {
@@ -39,8 +40,13 @@ SurfaceQuality MeasureOnSurface(const SurfaceWalk& surface, const QuadMesh& mesh
       smallestCosine = cosine;
       quality.mostBent = centre;
     }
-    const MeshPlace nearest = surface.Find(mesh.points[quad[0]].triangle, centre);
-    const double distance = (surface.PlaceOf(nearest) - centre).norm();
+    // A search from one corner can end on another face, if the corner is on a sharp edge of a thin part.
+    double distance = std::numeric_limits<double>::infinity();
+    for (const int corner : quad)
+    {
+      const MeshPlace nearest = surface.Find(mesh.points[corner].triangle, centre);
+      distance = std::min(distance, (surface.PlaceOf(nearest) - centre).norm());
+    }
     distances += distance;
     quality.maximumDistance = std::max(quality.maximumDistance, distance);
   }

@@ -11,12 +11,37 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <vector>
 
 namespace crossfield
 {
-QuadWorkflowResult MakeQuadsOfSurface(
-  const SurfaceMesh& surface, const SurfaceRequest& request, const Progress& progress)
+namespace
 {
+/// Returns the name of a line between two regions that is given as `B+A` instead of `A+B`, other names as they are.
+std::string InOrderOfRegions(const std::string& side, const std::vector<std::string>& regions)
+{
+  for (std::size_t b = 1; b < regions.size(); ++b)
+  {
+    for (std::size_t a = 0; a < b; ++a)
+    {
+      if (side == regions[b] + "+" + regions[a])
+      {
+        return regions[a] + "+" + regions[b];
+      }
+    }
+  }
+  return side;
+}
+}
+
+QuadWorkflowResult MakeQuadsOfSurface(
+  const SurfaceMesh& surface, const SurfaceRequest& given, const Progress& progress)
+{
+  SurfaceRequest request = given;
+  for (SurfaceSideRequest& one : request.sides)
+  {
+    one.side = InOrderOfRegions(one.side, request.names.regions);
+  }
   const int wanted =
     request.quadCount == 0 && request.HasSizes() ? DefaultQuads : request.quadCount;
   RequireSize(request.quadSize, wanted);

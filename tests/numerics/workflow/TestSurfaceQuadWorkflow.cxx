@@ -37,6 +37,19 @@ SurfaceMesh CubeOfTwelve()
   return cube;
 }
 
+TEST(SurfaceQuadWorkflow, QuadsOfAThinPlateAreOnIt)
+{
+  SurfaceMesh plate = CubeOfTwelve();
+  for (SpacePoint& point : plate.points)
+  {
+    point = point.cwiseProduct(SpacePoint(2.0, 1.0, 0.1));
+  }
+  SurfaceRequest request;
+  request.quadCount = 300;
+  const QuadWorkflowResult result = MakeQuadsOfSurface(plate, request);
+  EXPECT_LT(result.quads.quality.surface->maximumDistance, 1e-9) << "all faces are planar";
+}
+
 TEST(SurfaceQuadWorkflow, LargeTrianglesOfEachPartAreDivided)
 {
   SurfaceMesh cubes = CubeOfTwelve();
@@ -478,6 +491,17 @@ TEST(SurfaceQuadWorkflow, FollowsRegionsAndNamedLines)
   EXPECT_NEAR(lengths["weld"], side, 0.01);
   EXPECT_NEAR(lengths["shell+cap"], 3.0 * side, 0.03);
   EXPECT_EQ(result.interfaces.size(), 2u);
+
+  // The line between the regions has two names.
+  const auto edgesBetween = [](const QuadMesh& made)
+  {
+    return std::count_if(made.boundary.begin(), made.boundary.end(),
+      [&made](const QuadBoundaryEdge& edge)
+      { return made.sideNames[static_cast<std::size_t>(edge.side)] == "shell+cap"; });
+  };
+  const auto count = static_cast<int>(edgesBetween(mesh));
+  request.sides = { { "cap+shell", count, 0.0 } };
+  EXPECT_EQ(edgesBetween(MakeQuadsOfSurface(half, request).quads.mesh), count);
 }
 }
 }
