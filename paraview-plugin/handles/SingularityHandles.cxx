@@ -308,8 +308,7 @@ double SingularityHandles::GetSpacing() const
 SingularityRow SingularityHandles::FindFreeRow(const std::vector<SingularityRow>& others,
   const SingularityRow& row, const std::array<double, 2>& pixel) const
 {
-  // Seen from the eye, so that others on the far side count as well: a handle never covers another when the
-  // view is turned a little.
+  // Handles on the far side count as well.
   std::vector<SingularityRow> taken;
   for (const SingularityRow& other : others)
   {
