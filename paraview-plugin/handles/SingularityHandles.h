@@ -4,8 +4,8 @@
  *
  * Discs are red for a positive quarter index, blue for a negative one and grey for zero, with the
  * quarter index beside them; the selected one has a wide dark rim. They are placed in a plane of
- * space and drawn over everything else, or on a surface, of which those on the side away from the eye are
- * invisible. This class does not use Qt; ParaView's client owns the renderer.
+ * space and drawn over everything else, or on a surface; there, those on the far side are invisible. This class does
+ * not use Qt; ParaView's client owns the renderer.
  */
 
 #ifndef SingularityHandles_h

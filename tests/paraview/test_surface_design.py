@@ -128,6 +128,23 @@ def step_drag(view):
         1e3 * t for t in (statistics.median(times), min(times), max(times))))
 
 
+def step_add(view):
+    """Rows of a new pair are on the surface, and undo removes them."""
+    designer = GetActiveSource()
+    before, _ = rows_of(designer)
+    check(gui.gui_click(b"Add pair"), "no button Add pair")
+    wait(500)
+    places, quarters = rows_of(designer)
+    check_equal((len(places), quarters.sum(), list(quarters[-2:])), (len(before) + 2, 8, [1, -1]), "the pair")
+    shapes = places[-2:] / [1.5, 1, 0.8]
+    directions = shapes / np.linalg.norm(shapes, axis=1)[:, None]
+    radii = 1 + 0.15 * np.sin(2 * directions[:, 0] + 1) * np.cos(3 * directions[:, 1])
+    check(abs(np.linalg.norm(shapes, axis=1) - radii).max() < 0.02, "the pair is on the surface")
+    gui.gui_undo()
+    wait(500)
+    check_equal(len(rows_of(designer)[0]), len(before), "rows after undo")
+
+
 def step_save(view):
     file = os.path.join(os.environ["FOLDER"], "pebble.inp")
     action(gui.gui_select(b"Quads"), "select Quads in the Pipeline Browser")

@@ -33,7 +33,7 @@ public:
     this->Filter->SetQuadCount(400);
   }
 
-  /** Sets singularities at the corners of a cube turned by an angle, the first of them moved up. */
+  /** Sets singularities at the corners of a cube turned by an angle. */
   void SetEight(double turn = 0.4)
   {
     for (int i = 0; i < 8; ++i)

@@ -11,7 +11,6 @@
 #include "SurfaceTopology.h"
 #include "TriangleDivision.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -119,22 +118,21 @@ std::vector<SurfaceSingularity> DesignSurface::Choose(
 std::vector<SurfaceSingularity> DesignSurface::Move(
   std::vector<SurfaceSingularity> singularities, const Progress& progress) const
 {
-  constexpr std::size_t MostTriangles = 20000; // with more it takes minutes
+  constexpr std::size_t MostTriangles = 20000; // as for chosen ones (BodyQuads.cxx)
   const bool isSmall = this->Part.surface.triangles.size() <= MostTriangles;
   const SurfaceBody body = PlaceCones(With(isSmall ? this->Part : this->CoarsePart, singularities));
   const double share = 1.0 / static_cast<double>(body.faces.size());
   double done = 0.0;
   for (const ConedSurface& face : body.faces)
   {
-    std::vector<Cone> cones = face.cones;
-    const auto corners = std::stable_partition(
-      cones.begin(), cones.end(), [](const Cone& cone) { return !cone.onBoundary; });
-    const std::vector<Cone> moved = MovedCones(face.topology, { cones.begin(), corners },
-      { corners, cones.end() }, progress.Part(done, done + share));
-    for (const Cone& cone : moved)
+    for (const Cone& cone :
+      MovedCones(face.topology, face.cones, progress.Part(done, done + share)))
     {
-      singularities[static_cast<std::size_t>(cone.row)].place =
-        face.topology->PositionOf(cone.vertex);
+      if (cone.row >= 0) // corners have none
+      {
+        singularities[static_cast<std::size_t>(cone.row)].place =
+          face.topology->PositionOf(cone.vertex);
+      }
     }
     done += share;
   }

@@ -101,22 +101,18 @@ private:
   std::optional<PartOfQuads> MakeWithMoved(const Progress& progress)
   {
     ConedSurface& face = this->Body.faces.front();
-    const auto corners = std::stable_partition(
-      face.cones.begin(), face.cones.end(), [](const Cone& cone) { return !cone.onBoundary; });
-    const std::vector<Cone> chosen(face.cones.begin(), corners);
     Stopwatch clock;
     try
     {
-      const std::vector<Cone> moved =
-        MovedCones(face.topology, chosen, { corners, face.cones.end() }, progress.Part(0.0, 0.4));
+      std::vector<Cone> moved = MovedCones(face.topology, face.cones, progress.Part(0.0, 0.4));
       this->Seconds.choose += clock.Lap();
-      const bool isSame = std::equal(moved.begin(), moved.end(), chosen.begin(),
+      const bool isSame = std::equal(moved.begin(), moved.end(), face.cones.begin(),
         [](const Cone& a, const Cone& b) { return a.vertex == b.vertex; });
       if (isSame)
       {
         return std::nullopt;
       }
-      std::copy(moved.begin(), moved.end(), face.cones.begin());
+      face.cones = std::move(moved);
       std::vector<Layout> layouts;
       layouts.push_back(LayOutFace(face, this->Seconds, progress.Part(0.4, 0.7)));
       return this->MakeQuads(

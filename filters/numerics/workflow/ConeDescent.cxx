@@ -117,13 +117,19 @@ private:
 };
 }
 
-std::vector<Cone> MovedCones(const SharedTopology& topology, const std::vector<Cone>& cones,
-  const std::vector<Cone>& corners, const Progress& progress)
+std::vector<Cone> MovedCones(
+  const SharedTopology& topology, const std::vector<Cone>& cones, const Progress& progress)
 {
+  std::vector<Cone> inside;
+  std::vector<Cone> corners;
+  for (const Cone& cone : cones)
+  {
+    (cone.onBoundary ? corners : inside).push_back(cone);
+  }
   // With a large weight from the start, no single move would leave the first places without defects.
   constexpr std::array<std::pair<double, double>, 3> Stages = { { { 0.02, 0.3 }, { 0.02, 3.0 },
     { 0.01, 30.0 } } };
-  ConeDescent descent(topology, cones, corners);
+  ConeDescent descent(topology, inside, corners);
   double done = 0.0;
   for (const auto& [distance, lambda] : Stages)
   {
@@ -132,6 +138,15 @@ std::vector<Cone> MovedCones(const SharedTopology& topology, const std::vector<C
     done = end;
   }
   progress.Report(1.0);
-  return descent.GetCones();
+  std::vector<Cone> moved = cones;
+  std::size_t next = 0;
+  for (Cone& cone : moved)
+  {
+    if (!cone.onBoundary)
+    {
+      cone = descent.GetCones()[next++];
+    }
+  }
+  return moved;
 }
 }

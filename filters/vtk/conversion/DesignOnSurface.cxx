@@ -93,8 +93,11 @@ DesignModel::Rows DesignOnSurface::Change(const DesignRequest& request, const Ro
                         "are moved and added by hand.");
     return rows;
   }
-  events.emplace_back("Singularities were moved to where sizes are more even.");
-  return RowsOf(this->Surface.Move(SingularitiesOf(rows), progress));
+  Rows moved = RowsOf(this->Surface.Move(SingularitiesOf(rows), progress));
+  events.emplace_back(moved == rows
+      ? "No singularity was moved: sizes are as even as they become by small moves."
+      : "Singularities were moved to where sizes are more even.");
+  return moved;
 }
 
 //------------------------------------------------------------------------------

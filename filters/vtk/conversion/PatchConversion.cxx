@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -204,7 +205,11 @@ void WritePatches(
   const bool isOnSurface = traced.map.topology->charts.has_value();
   const double size = Cell * std::sqrt(traced.map.topology->Area());
   PatchWriter writer;
-  const ArcOutlines outlines(traced.map, mesh);
+  std::optional<ArcOutlines> outlines;
+  if (!isOnSurface)
+  {
+    outlines.emplace(traced.map, mesh);
+  }
   for (int f = 0; f < static_cast<int>(mesh.patches.size()); ++f)
   {
     const crossfield::TPatch& patch = mesh.patches[Index(f)];
@@ -214,7 +219,7 @@ void WritePatches(
     }
     else
     {
-      AddInPlane(outlines.Outline(patch), traced.plane, f, writer);
+      AddInPlane(outlines->Outline(patch), traced.plane, f, writer);
     }
   }
   writer.Write(mesh, output);

@@ -20,8 +20,8 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
   const std::vector<crossfield::Point>& seeds, double longest, vtkPolyData* output);
 
 /**
- * Writes a polyline for each arc inside, with the arrays of vtkSeparatrices, of which `EndsAt` and `Seed` say
- * nothing: of a surface that consists of faces.
+ * Writes a polyline for each arc inside of a surface, with the arrays of vtkSeparatrices; `EndsAt` and `Seed` have no
+ * meaning.
  */
 void WriteArcs(
   const MapConversion::Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output);

@@ -41,12 +41,7 @@ TEST(SampledPatch, CoversTheSurface)
   {
     const SurfaceMesh& surface = isOpen ? open : closed;
     const auto topology = std::make_shared<const SurfaceTopology>(surface);
-    std::vector<Cone> cones;
-    for (const Cone& cone : ConesOfCube(surface))
-    {
-      cones.push_back(cone);
-    }
-    const SeamlessMap map = SolveSurfaceMap(topology, cones);
+    const SeamlessMap map = SolveSurfaceMap(topology, ConesOfCube(surface));
     const TMesh mesh = MakeTMesh(map, TraceSeparatrices(map));
     double area = 0.0;
     for (const TPatch& patch : mesh.patches)
