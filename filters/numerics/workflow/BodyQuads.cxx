@@ -41,6 +41,17 @@ Layout LayOutChosen(ConedSurface& face, bool chooses, bool withoutPairs, QuadSec
   return LayOutFace(face, seconds, progress.Part(0.6, 1.0));
 }
 
+/// Returns whether there are singularities of both signs.
+bool HasOpposite(const std::vector<Cone>& cones)
+{
+  const auto has = [&](int sign)
+  {
+    return std::any_of(cones.begin(), cones.end(),
+      [sign](const Cone& cone) { return !cone.onBoundary && sign * cone.quarterIndex > 0; });
+  };
+  return has(1) && has(-1);
+}
+
 /// Makes the quads of one part.
 class BodyMesher
 {
@@ -59,16 +70,18 @@ public:
 
   PartOfQuads Run(const Progress& progress)
   {
-    PartOfQuads made = this->MakeAsChosen(progress.Part(0.0, 0.6));
+    PartOfQuads made = this->MakeAsChosen(progress.Part(0.0, 0.4));
     // Several faces share one mesh, which would have to be made for each of them.
     // With more triangles the moves would take longer than all the rest.
     constexpr int MostTriangles = 20000;
     if (this->Chooses && this->Body.faces.size() == 1 &&
       this->Body.faces.front().topology->TriangleCount() <= MostTriangles)
     {
-      if (const auto moved = this->MakeWithMoved(progress.Part(0.6, 1.0)))
+      const bool hasPairs = HasOpposite(this->Body.faces.front().cones);
+      this->Improve(made, progress.Part(0.4, 0.6));
+      if (hasPairs && !this->WithoutPairs)
       {
-        this->TakeIfBetter(*moved, made);
+        this->TryWithoutPairs(made, progress.Part(0.6, 1.0));
       }
       made.quads.seconds = this->Seconds;
     }
@@ -87,13 +100,42 @@ private:
     {
       // A face with pairs may need other numbers of edges on its two loops than the faces beside it have.
       const bool helps = this->Chooses && error.GetKind() == Error::Kind::Inconsistent;
-      this->WithoutPairs = true;
+      this->WithoutPairs = this->PairsFail = true;
       const std::optional<PartOfQuads> made = helps ? this->TryAgain() : std::nullopt;
       if (!made)
       {
         throw;
       }
       return *made;
+    }
+  }
+
+  /// Takes quads with moved singularities if they are better.
+  void Improve(PartOfQuads& made, const Progress& progress)
+  {
+    const auto moved = this->MakeWithMoved(progress);
+    if (moved && IsBetter(*moved, made))
+    {
+      Take(*moved, "Singularities were moved from where smooth crosses have them", made);
+    }
+  }
+
+  /// Takes quads without pairs of opposite singularities if they are better and their sizes vary little more: smooth
+  /// crosses have such pairs where sizes change.
+  void TryWithoutPairs(PartOfQuads& made, const Progress& progress)
+  {
+    constexpr double Little = 0.1; // of the mean size, less than most pairs remove
+    this->WithoutPairs = true;
+    std::optional<PartOfQuads> fewer = this->TryAgain();
+    if (!fewer)
+    {
+      return;
+    }
+    this->Improve(*fewer, progress);
+    const double before = made.quads.quads.quality.variation;
+    if (fewer->quads.quads.quality.variation <= before + Little && IsBetter(*fewer, made))
+    {
+      Take(*fewer, "Pairs of opposite singularities were left out", made);
     }
   }
 
@@ -124,27 +166,28 @@ private:
     }
   }
 
-  /// Takes quads with moved singularities if their minimum scaled Jacobian is larger or, where both are nearly equal,
-  /// the mean; with coarse blocks only if there are no more of these.
-  void TakeIfBetter(const PartOfQuads& moved, PartOfQuads& made) const
+  /// Returns whether the minimum scaled Jacobian is larger or, where both are nearly equal, the mean; with coarse
+  /// blocks only if there are no more of these.
+  static bool IsBetter(const PartOfQuads& other, const PartOfQuads& made)
   {
     // The minimum changes by more from one number of quads to the next.
     constexpr double Equal = 0.01;
     const Range& before = made.quads.quads.quality.jacobian;
-    const Range& after = moved.quads.quads.quality.jacobian;
+    const Range& after = other.quads.quads.quality.jacobian;
     const double gain = after.min - before.min;
     const bool isBetter = std::abs(gain) > Equal ? gain > 0.0 : after.mean > before.mean;
-    if (!isBetter || moved.quads.blocks.coarse > made.quads.blocks.coarse)
-    {
-      return;
-    }
+    return isBetter && other.quads.blocks.coarse <= made.quads.blocks.coarse;
+  }
+
+  /// Replaces quads by others, and adds an event with a reason.
+  static void Take(const PartOfQuads& other, const std::string& reason, PartOfQuads& made)
+  {
+    const Range before = made.quads.quads.quality.jacobian;
     const auto describe = [](const Range& jacobian)
     { return FormatShort(jacobian.min) + ", mean " + FormatShort(jacobian.mean); };
-    const std::string event = "Singularities were moved from where smooth crosses have them: the "
-                              "minimum scaled Jacobian is " +
-      describe(after) + ", instead of " + describe(before) + ".";
-    made = moved;
-    made.quads.events.push_back(event);
+    made = other;
+    made.quads.events.push_back(reason + ": the minimum scaled Jacobian is " +
+      describe(made.quads.quads.quality.jacobian) + ", instead of " + describe(before) + ".");
   }
 
   /// Returns quads without pairs of opposite singularities, nothing if there are none.
@@ -387,7 +430,7 @@ private:
         counted(this->Body.lines.size(), "line") + " between " +
         counted(this->Body.faces.size(), "face") + ".");
     }
-    if (this->WithoutPairs)
+    if (this->PairsFail)
     {
       result.events.emplace_back(
         "Opposite singularities of a face were left out in pairs: with them, no numbers of edges "
@@ -432,6 +475,7 @@ private:
   std::vector<bool> Fails;   ///< Per face.
   int Joined = 0;            ///< Number of faces joined to others.
   bool WithoutPairs = false; ///< Whether opposite singularities of a face are left out in pairs.
+  bool PairsFail = false;    ///< Whether this is because quads with them have failed.
   QuadSeconds Seconds;       ///< In all attempts.
 };
 }
