@@ -50,6 +50,19 @@ def expanded(proxy, proxies):
     return result
 
 
+def move_to_groups(proxy):
+    """Moves the properties of each group that has no widget of its own in front of it, in its order: the panel shows a
+    group where its first property is."""
+    for group in proxy.findall("PropertyGroup"):
+        if group.get("panel_widget") is None:
+            names = [item.get("name") for item in group.findall("Property")]
+            members = {item.get("name"): item for item in proxy if is_property(item) and item.get("name") in names}
+            for member in members.values():
+                proxy.remove(member)
+            start = list(proxy).index(group)
+            proxy[start:start] = [members[name] for name in names]
+
+
 def formatted(documentation):
     """Returns the text of an element, with ParaView's marks of bold and italics and its lists, as HTML."""
     text = documentation.text if documentation is not None and documentation.text else ""
@@ -111,6 +124,7 @@ def main(folder, *inputs):
         if concrete:
             tree.SubElement(root, "ProxyGroup", name=group.get("name")).extend(concrete)
         for proxy in concrete:
+            move_to_groups(proxy)
             write(os.path.join(folder, "help", "%s.%s.html" % (group.get("name"), proxy.get("name"))), page(proxy))
     write(os.path.join(folder, "CrossField.xml"), tree.tostring(root, encoding="unicode") + "\n")
 

@@ -28,6 +28,7 @@
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -56,6 +57,19 @@ vtkQuadMesher::vtkQuadMesher()
 {
   this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(9);
+  this->SidePlaces->SetNumberOfComponents(3);
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkQuadMesher::GetSideNames()
+{
+  return this->SideNames;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkQuadMesher::GetSidePlaces()
+{
+  return this->SidePlaces;
 }
 
 //------------------------------------------------------------------------------
@@ -155,6 +169,7 @@ int vtkQuadMesher::RequestData(
     },
     [&](const char* message)
     {
+      this->SidePlaces->SetNumberOfTuples(0); // names stay, to choose the right one
       ViewText::Write(vtkCrossFieldArrayNames::Summary, ViewText::WrapLines(message), true,
         vtkTable::GetData(outputVector, SummaryPort));
     });
@@ -388,6 +403,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
     mesh, plane, vtkPolyData::GetData(outputVector, BoundaryPort)->GetFieldData());
   QuadConversion::WriteIrregularNodes(mesh, plane, vtkPolyData::GetData(outputVector, 6));
   QuadConversion::WriteSeparatrices(result.quads, plane, vtkPolyData::GetData(outputVector, 7));
+  SideConversion::WritePlaces(mesh, plane, this->SideNames, this->SidePlaces);
   this->WriteSummary(result, plane, vtkTable::GetData(outputVector, SummaryPort));
 
   const crossfield::QuadSeconds& seconds = result.seconds;

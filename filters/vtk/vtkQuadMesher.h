@@ -118,6 +118,7 @@
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
+#include "vtkNew.h"                     // for names and places of sides
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <array>  // for rows of texts
@@ -125,6 +126,8 @@
 #include <vector> // for rows of texts
 
 class vtkDataSet;
+class vtkDoubleArray;
+class vtkStringArray;
 class vtkTable;
 class vtkUnstructuredGrid;
 struct NamedSurface;
@@ -559,6 +562,15 @@ public:
    */
   vtkGetVectorMacro(StageSeconds, double, 8);
 
+  ///@{
+  /**
+   * Returns the names of the sides of the last mesh, and a point of each, three components: the
+   * middle of one of its edges.
+   */
+  vtkStringArray* GetSideNames();
+  vtkDoubleArray* GetSidePlaces();
+  ///@}
+
   /**
    * Copies the result of the last update into one grid, the form of files: quads, then a VTK_LINE
    * for every boundary edge, with the arrays of both and the field data of output 8. On lines
@@ -628,6 +640,8 @@ private:
   std::string CornerRows;
   std::string Periodic;
   std::string Curves;
+  vtkNew<vtkStringArray> SideNames;
+  vtkNew<vtkDoubleArray> SidePlaces;
   double StageSeconds[8] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 

@@ -14,6 +14,7 @@
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVRepresentedArrayListSettings.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -234,6 +235,16 @@ bool HasData(pqPipelineSource* source, int port)
 }
 
 //------------------------------------------------------------------------------
+/** Leaves the field data that describe curves to other filters out of the lists of colours. */
+void HideCurveData()
+{
+  vtkPVRepresentedArrayListSettings* settings = vtkPVRepresentedArrayListSettings::GetInstance();
+  const int count = settings->GetNumberOfFilterExpressions();
+  settings->SetNumberOfFilterExpressions(count + 1);
+  settings->SetFilterExpression(count, "^Curve(Kind|Offset|Values)$");
+}
+
+//------------------------------------------------------------------------------
 void ApplyAtFirstShow(pqPipelineSource* source)
 {
   QObject::connect(source, &pqPipelineSource::representationAdded, source,
@@ -282,6 +293,7 @@ DefaultDisplay::DefaultDisplay(QObject* parent)
 //------------------------------------------------------------------------------
 void DefaultDisplay::startup()
 {
+  HideCurveData();
   pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
   QObject::connect(builder, &pqObjectBuilder::filterCreated, this, &ApplyAtFirstShow);
   QObject::connect(builder, &pqObjectBuilder::sourceCreated, this, &ApplyAtFirstShow);

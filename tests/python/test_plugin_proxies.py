@@ -33,11 +33,11 @@ PROXIES = {
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize KeepMesh"),
-    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Triangles Propose Optimise Snap AddPair Undo Quads Merge Dragging "
+    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Triangles RequiredSum Reasons Propose Optimise Snap AddPair Undo Quads Merge Dragging "
                        "QuadSize QuadCount FeatureAngle MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
-                   "HoldSingularities FeatureAngle ChordError RepairHolonomy SplitSingularities Curves"),
+                   "HoldSingularities FeatureAngle ChordError RepairHolonomy SplitSingularities Curves Sides SideNames SidePlaces"),
     "SmoothQuads": ("filters", "Input SlideOnBoundary CornerAngle UniformSizes"),
     "QuadsToHigherOrder": ("filters", "Input Boundary Order FeatureAngle"),
     "ExtrudeQuads": ("filters", "Input Boundary Motion Layers Height Angle Axis"),
@@ -95,8 +95,7 @@ def test_proxies():
 
 
 def test_menus():
-    """The menus, which are in the order of work, list every proxy of the plugin and no abstract
-    one."""
+    """The menus list every proxy of the plugin and no abstract one, and first those that most users need."""
     menus = xml.dom.minidom.parse(os.path.join(PLUGIN, "menus", "menus.xml"))
     listed = [(item.getAttribute("group"), item.getAttribute("name"))
               for item in menus.getElementsByTagName("Proxy")]
@@ -106,6 +105,25 @@ def test_menus():
             proxy = menu.parentNode.parentNode
             shown.append((proxy.parentNode.getAttribute("name"), proxy.getAttribute("name")))
     check_equal(sorted(listed), sorted(shown), "the proxies in the menus")
+    filters = [name for group, name in listed if group == "filters"]
+    check_equal(filters[:3], ["QuadMesher", "LayoutDesigner", "ExtrudeQuads"], "the first filters in the menu")
 
 
-run_tests(test_proxies, test_menus)
+def test_groups():
+    """Quad Mesher's properties are in groups, all but its domain, and those for few users under the gear."""
+    prototype = servermanager.ProxyManager().GetPrototypeProxy("filters", "QuadMesher")
+    groups = [prototype.GetPropertyGroup(i) for i in range(prototype.GetNumberOfPropertyGroups())]
+    check_equal([group.GetXMLLabel() for group in groups], ["Size", "Sides and layers", "Singularities", "Corners"], "the groups")
+    members = [group.GetProperty(i) for group in groups for i in range(group.GetNumberOfProperties())]
+    lacking = [key for key, item in properties_of(prototype)
+               if not any(item is member for member in members) and not item.GetInformationOnly()]
+    check_equal(lacking, ["Input"], "properties in no group")
+    # The panel shows a group where its first property is.
+    order = [item for _, item in properties_of(prototype)]
+    places = [order.index(member) for member in members]
+    check_equal(places, sorted(places), "the order of the properties")
+    shown = [item for item in members if item.GetPanelVisibility() == "default"]
+    check(len(shown) < 22, "%d properties are shown outside the gear" % len(shown))
+
+
+run_tests(test_proxies, test_menus, test_groups)

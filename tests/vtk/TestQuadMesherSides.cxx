@@ -275,6 +275,33 @@ TEST(QuadMesherSides, AreGeneratedWithoutNames)
     found.insert(sides->GetValue(i));
   }
   EXPECT_EQ(found, (std::set<std::string>{ "outer0", "outer1", "outer2", "outer3" }));
+  const auto [text, alarm] = FilterChecks::TextForView(mesher, 8, "Summary");
+  EXPECT_NE(text.find("Sides: outer0 to outer3."), std::string::npos) << text;
+}
+
+TEST(QuadMesherSides, HavePlaces)
+{
+  const auto domain = Rectangle();
+  domain->GetCellData()->AddArray(Names("Side"));
+  const auto mesher = MesherOf(domain);
+  mesher->Update();
+  vtkStringArray* names = mesher->GetSideNames();
+  vtkDoubleArray* places = mesher->GetSidePlaces();
+  ASSERT_EQ(names->GetNumberOfValues(), 4);
+  ASSERT_EQ(places->GetNumberOfTuples(), 4);
+  const std::map<std::string, std::array<double, 2>> lines = { { "bottom", { 1, 0 } },
+    { "right", { 0, 3 } }, { "top", { 1, 2 } }, { "left", { 0, 0 } } }; // axis and value
+  for (vtkIdType side = 0; side < 4; ++side)
+  {
+    const auto& [axis, value] = lines.at(names->GetValue(side));
+    EXPECT_NEAR(places->GetComponent(side, static_cast<int>(axis)), value, 1e-12);
+    EXPECT_NEAR(places->GetComponent(side, 2), places->GetComponent(side, 1), 1e-12) << "z = y";
+  }
+  // Names stay if the mesher refuses one.
+  mesher->AddSide("inlet", "12", "", "");
+  FilterChecks::CaptureError(mesher, { "inlet" });
+  EXPECT_EQ(names->GetNumberOfValues(), 4);
+  EXPECT_EQ(places->GetNumberOfTuples(), 0);
 }
 
 TEST(QuadMesherSides, SimplifiedBoundariesKeepNames)

@@ -73,6 +73,43 @@ std::string DescribeIrregular(const QuadMesh& mesh)
   }
   return text.empty() ? "no irregular nodes" : text;
 }
+
+/** Returns a name without the number at its end, and this number; −1 without one. */
+std::pair<std::string, int> SplitNumber(const std::string& name)
+{
+  const std::size_t end = name.find_last_not_of("0123456789") + 1; // 0 after npos
+  const bool hasNumber = end > 0 && end < name.size() && name.size() - end < 6;
+  return hasNumber ? std::pair(name.substr(0, end), std::stoi(name.substr(end)))
+                   : std::pair(name, -1);
+}
+
+/** Returns for example "Sides: inlet, outer0 to outer3."; empty without names. */
+std::string DescribeSides(const std::vector<std::string>& sides)
+{
+  constexpr std::size_t Listed = 12;
+  std::vector<std::string> groups;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const auto [stem, number] = SplitNumber(sides[i]);
+    std::size_t last = i;
+    while (number >= 0 && last + 1 < sides.size() &&
+      SplitNumber(sides[last + 1]) == std::pair(stem, number + static_cast<int>(last + 1 - i)))
+    {
+      ++last;
+    }
+    groups.push_back(last > i ? sides[i] + " to " + sides[last] : sides[i]);
+    i = last;
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(groups.size(), Listed); ++i)
+  {
+    text += (text.empty() ? "Sides: " : ", ") + groups[i];
+  }
+  return text +
+    (groups.empty()              ? ""
+        : groups.size() > Listed ? " and " + std::to_string(groups.size() - Listed) + " more."
+                                 : ".");
+}
 }
 
 namespace QuadReport
@@ -331,6 +368,8 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
   {
     text << " Further warnings in the report: " << result.warnings.size() - 1 << ".";
   }
+  const std::string sides = DescribeSides(quads.mesh.sideNames);
+  text << (sides.empty() ? "" : " ") << sides;
   return text.str();
 }
 }

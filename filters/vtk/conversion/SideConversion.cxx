@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "Index.h"
 #include "QuadMesher.h"
 #include "QuadSides.h"
 #include "RegionSides.h"
@@ -266,5 +267,34 @@ void WriteReport(const crossfield::QuadMesh& mesh, vtkFieldData* data)
     [](const crossfield::SideMeasure& measure) { return measure.edges; });
   ColumnWriting::AddColumn<vtkDoubleArray>(data, names::SideLengths, measures,
     [](const crossfield::SideMeasure& measure) { return measure.length; });
+}
+
+//------------------------------------------------------------------------------
+void WritePlaces(const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane,
+  vtkStringArray* names, vtkDoubleArray* places)
+{
+  std::vector<std::vector<const crossfield::QuadBoundaryEdge*>> edges(mesh.sideNames.size());
+  for (const crossfield::QuadBoundaryEdge& edge : mesh.boundary)
+  {
+    if (edge.side >= 0)
+    {
+      edges[crossfield::Index(edge.side)].push_back(&edge);
+    }
+  }
+  names->SetNumberOfValues(0);
+  places->SetNumberOfTuples(0);
+  for (std::size_t side = 0; side < edges.size(); ++side)
+  {
+    if (edges[side].empty())
+    {
+      continue; // the name of a line inside
+    }
+    const auto& [first, second] = edges[side][edges[side].size() / 2]->points;
+    const Eigen::Vector3d middle = 0.5 *
+      (plane.PlaceToSpace(mesh.points[crossfield::Index(first)].place) +
+        plane.PlaceToSpace(mesh.points[crossfield::Index(second)].place));
+    names->InsertNextValue(mesh.sideNames[side]);
+    places->InsertNextTuple(middle.data());
+  }
 }
 }

@@ -11,8 +11,10 @@
 
 class vtkCellData;
 class vtkDataSet;
+class vtkDoubleArray;
 class vtkFieldData;
 class vtkMultiBlockDataSet;
+class vtkStringArray;
 class vtkTable;
 
 namespace crossfield
@@ -62,6 +64,10 @@ void WriteBlockSides(const crossfield::QuadResult& result, vtkMultiBlockDataSet*
 
 /** Adds the field data `SideNames`, `SideEdges` and `SideLengths`, one value per side. */
 void WriteReport(const crossfield::QuadMesh& mesh, vtkFieldData* data);
+
+/** Writes the name of each side, and the middle of the middle one of its edges. */
+void WritePlaces(const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane,
+  vtkStringArray* names, vtkDoubleArray* places);
 }
 
 #endif
