@@ -17,9 +17,11 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -53,7 +55,7 @@ public:
     report.refusal = update.refusal;
     const crossfield::LayoutDesign* design = session.GetDesign();
     const bool current = design != nullptr && update.refusal.empty();
-    model.WriteSingularities(current ? design : nullptr, update.rows, this->Singularities);
+    model.WriteSingularities(current ? model.NodesOf(*design) : update.rows, this->Singularities);
     if (design != nullptr)
     {
       this->WriteDesign(*design, model.Plane(), !current);
@@ -69,7 +71,9 @@ public:
   /** Writes the message of a failure. */
   void WriteFailure(const char* message) const
   {
-    this->WriteReport(nullptr, { message, 0.0, false });
+    LayoutConversion::Report report;
+    report.refusal = message;
+    this->WriteReport(nullptr, report);
   }
 
 private:
@@ -220,6 +224,18 @@ vtkDoubleArray* vtkLayoutDesigner::GetTriangles()
 }
 
 //------------------------------------------------------------------------------
+vtkIntArray* vtkLayoutDesigner::GetRequiredSum()
+{
+  return this->RequiredSum;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkLayoutDesigner::GetReasons()
+{
+  return this->Reasons;
+}
+
+//------------------------------------------------------------------------------
 void vtkLayoutDesigner::SetCommand(DesignCommand command)
 {
   this->Command = command;
@@ -323,14 +339,26 @@ int vtkLayoutDesigner::RequestData(
       {
         this->OutputRows->InsertNextTuple(row.data());
       }
+      this->RequiredSum->SetNumberOfValues(0);
+      if (update.requiredSum)
+      {
+        this->RequiredSum->InsertNextValue(*update.requiredSum);
+      }
+      this->Reasons->SetNumberOfValues(0);
+      for (const std::string& reason : update.reasons)
+      {
+        this->Reasons->InsertNextValue(reason);
+      }
       outputs.Write(*this->Session, update, model,
         { {}, request.QuadSizeOn(model.Area()),
-          this->Merge == vtkQuadMesher::MergeNone && this->Triangles->GetNumberOfTuples() == 0,
+          this->Merge == vtkQuadMesher::MergeNone && !model.HasHeight(), update.isSnapped,
           this->Quads != QuadsSmooth || this->Dragging });
     },
     [&](const char* message)
     {
       this->OutputRows->SetNumberOfTuples(0); // no domain, no rows
+      this->RequiredSum->SetNumberOfValues(0);
+      this->Reasons->SetNumberOfValues(0);
       this->Triangles->SetNumberOfTuples(0);
       outputs.WriteFailure(message);
     });

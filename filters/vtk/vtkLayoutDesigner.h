@@ -79,6 +79,8 @@ class DesignModel;
 class DesignSession;
 struct DesignRequest;
 class vtkDoubleArray;
+class vtkIntArray;
+class vtkStringArray;
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkLayoutDesigner : public vtkPolyDataAlgorithm
 {
@@ -123,6 +125,15 @@ public:
    * nine components each, their points. None for a planar domain.
    */
   vtkDoubleArray* GetTriangles();
+
+  /**
+   * Returns the sum that the quarter indices of the rows must have on the last domain: one value, or
+   * none if it is unknown.
+   */
+  vtkIntArray* GetRequiredSum();
+
+  /** Returns for each row of the last update a sentence: why it and its node are where they are. */
+  vtkStringArray* GetReasons();
 
   ///@{
   /**
@@ -276,6 +287,8 @@ private:
   vtkNew<vtkDoubleArray> OutputRows;
   vtkNew<vtkDoubleArray> Plane;
   vtkNew<vtkDoubleArray> Triangles;
+  vtkNew<vtkIntArray> RequiredSum;
+  vtkNew<vtkStringArray> Reasons;
   std::unique_ptr<DesignSession> Session; ///< State kept between updates.
 };
 

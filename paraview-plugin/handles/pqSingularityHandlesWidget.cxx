@@ -40,6 +40,8 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   , Plane(group->GetProperty("Plane"))
   , Triangles(group->GetProperty("Triangles"))
   , Dragging(group->GetProperty("Dragging"))
+  , RequiredSum(group->GetProperty("RequiredSum"))
+  , Reasons(group->GetProperty("Reasons"))
 {
   this->setShowLabel(false);
   vtkPVXMLElement* hints = group->GetHints();
@@ -75,6 +77,7 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   }
   this->FollowPipeline();
   this->ReadPlane();
+  this->ReadExplanations();
   this->ReadProperty();
 }
 
@@ -90,13 +93,7 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
 {
   auto* panel = new QVBoxLayout(this);
   panel->setContentsMargins(0, 0, 0, 0);
-  this->Table = new SingularityTable(this);
-  if (!hasRadius)
-  {
-    this->Table->HideRadius();
-  }
-  panel->addWidget(this->Table);
-
+  // Buttons are above the table, where they do not move when it grows.
   auto* buttons = new QHBoxLayout;
   panel->addLayout(buttons);
   const auto addButton = [&](const QString& text, const QString& name, const QString& help)
@@ -108,15 +105,22 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
     return button;
   };
   const QPushButton* add = addButton("Add", "Add",
-    "Adds a singularity of quarter index +1 beside the selected one, or at the view's centre.");
+    "Adds a singularity beside the selected one, or at the view's centre: of quarter index \u22121 if the "
+    "domain needs a smaller sum, otherwise +1.");
   const QPushButton* addPair = addButton("Add pair", "AddPair",
     "Adds a singularity of quarter index +1 and one of \u22121, which does not change the sum.");
   this->RemoveButton = addButton("Remove", "Remove", "Removes the selected singularity (Delete).");
   buttons->addStretch();
+  this->Table = new SingularityTable(this);
+  if (!hasRadius)
+  {
+    this->Table->HideRadius();
+  }
+  panel->addWidget(this->Table);
   auto* deleteKey = new QShortcut(QKeySequence::Delete, this->Table);
   deleteKey->setContext(Qt::WidgetShortcut);
   QObject::connect(deleteKey, &QShortcut::activated, this, [this] { this->RemoveChosen(); });
-  QObject::connect(add, &QPushButton::clicked, this, [this] { this->Add({ 1 }); });
+  QObject::connect(add, &QPushButton::clicked, this, [this] { this->Add({ this->SumNeeded().value_or(this->Sum() + 1) < this->Sum() ? -1 : 1 }); });
   QObject::connect(addPair, &QPushButton::clicked, this, [this] { this->Add({ 1, -1 }); });
   QObject::connect(
     this->RemoveButton, &QPushButton::clicked, this, [this] { this->RemoveChosen(); });
@@ -124,6 +128,7 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
   auto* bottom = new QHBoxLayout;
   panel->addLayout(bottom);
   this->SumLabel = new QLabel(this);
+  this->SumLabel->setObjectName("Sum");
   bottom->addWidget(this->SumLabel);
   this->LiveBox = new QCheckBox("Live", this);
   this->LiveBox->setObjectName("Live");
@@ -188,6 +193,7 @@ void pqSingularityHandlesWidget::ScheduleReadOutput()
         return; // the plane does not change during a drag
       }
       this->ReadPlane();
+      this->ReadExplanations();
       if (changes == this->Changes)
       {
         this->ReadOutput();
@@ -247,6 +253,51 @@ void pqSingularityHandlesWidget::ReadPlane()
   {
     this->view()->render();
   }
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::ReadExplanations()
+{
+  if (this->RequiredSum)
+  {
+    this->proxy()->UpdatePropertyInformation(this->RequiredSum);
+  }
+  if (this->Reasons)
+  {
+    this->proxy()->UpdatePropertyInformation(this->Reasons);
+    const vtkSMPropertyHelper reasons(this->Reasons);
+    this->RowReasons.clear();
+    for (unsigned int i = 0; i < reasons.GetNumberOfElements(); ++i)
+    {
+      this->RowReasons << QString::fromUtf8(reasons.GetAsString(i));
+    }
+  }
+  if (this->RequiredSum || this->Reasons)
+  {
+    this->ShowRows();
+  }
+}
+
+//------------------------------------------------------------------------------
+int pqSingularityHandlesWidget::Sum() const
+{
+  int sum = 0;
+  for (const SingularityRow& row : this->Rows)
+  {
+    sum += QuarterIndexOf(row);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+/** Returns the sum that the filter reports. */
+std::optional<int> pqSingularityHandlesWidget::SumNeeded() const
+{
+  if (!this->RequiredSum || vtkSMPropertyHelper(this->RequiredSum).GetNumberOfElements() == 0)
+  {
+    return std::nullopt;
+  }
+  return vtkSMPropertyHelper(this->RequiredSum).GetAsInt();
 }
 
 //------------------------------------------------------------------------------
@@ -353,12 +404,12 @@ void pqSingularityHandlesWidget::ShowRows()
   this->Table->ShowRows(this->Rows, this->Chosen);
   this->Handles.SetRows(this->Rows, this->Chosen);
   this->RemoveButton->setEnabled(this->Chosen >= 0);
-  int sum = 0;
-  for (const SingularityRow& row : this->Rows)
-  {
-    sum += QuarterIndexOf(row);
-  }
-  this->SumLabel->setText(QString("Sum of quarter indices k: %1").arg(sum));
+  const int sum = this->Sum();
+  const std::optional<int> needed = this->SumNeeded();
+  this->SumLabel->setText(QString("Sum of quarter indices k: %1").arg(sum) +
+    (!needed              ? QString()
+        : *needed == sum ? QString(", as needed")
+                         : QString(", needed: <b>%1</b>").arg(*needed)));
   this->ShowNote();
 }
 
@@ -378,6 +429,10 @@ void pqSingularityHandlesWidget::ShowNote()
   else if (this->Domain && this->Singularities->IsValueDefault())
   {
     text = "These rows fit the domain, and follow it until you change them.";
+  }
+  else if (this->Chosen >= 0 && this->Chosen < this->RowReasons.size())
+  {
+    text = QString("Row %1: %2").arg(this->Chosen + 1).arg(this->RowReasons[this->Chosen]);
   }
   this->NoteLabel->setText(text);
   this->NoteLabel->setVisible(!text.isEmpty());

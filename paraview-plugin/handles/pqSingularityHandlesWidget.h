@@ -31,6 +31,11 @@
  *
  * The hint <WithoutRadius/> of the group hides the column of radii.
  *
+ * A filter that knows the sum that the quarter indices of its rows must have reports it in an information property with
+ * the function `RequiredSum`, one number or none; the panel shows it, and *Add* adds a row that brings the sum nearer to
+ * it. One that can explain its rows has one with the function `Reasons`, a text for each row; the panel shows that of the
+ * selected row.
+ *
  * Where the handles are admits no result if a filter in the view fails or keeps the result of
  * earlier positions. The view then shows its last picture in grey (StalePicture.h), as long as it
  * is not moved, and texts report the reason. Messages of a failure appear at the end of a drag.
@@ -53,8 +58,10 @@
 #include "vtkWeakPointer.h"
 
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -104,6 +111,9 @@ private:
   std::vector<SingularityRow> PropertyRows() const;
   bool AreRowsComputed() const;
   void ReadPlane();
+  void ReadExplanations();
+  int Sum() const;
+  std::optional<int> SumNeeded() const;
   bool AreSame(
     const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others) const;
   void ReadOutput();
@@ -137,6 +147,8 @@ private:
   vtkSMProperty* Plane = nullptr;      ///< Optional.
   vtkSMProperty* Triangles = nullptr;  ///< Optional.
   vtkSMProperty* Dragging = nullptr;   ///< Optional.
+  vtkSMProperty* RequiredSum = nullptr; ///< Optional.
+  vtkSMProperty* Reasons = nullptr;     ///< Optional.
   vtkSMProperty* Domain = nullptr;     ///< To which default rows are fitted; optional.
   std::vector<SingularityRow> Rows;
   int Chosen = -1;
@@ -168,6 +180,7 @@ private:
   QPushButton* RemoveButton = nullptr;
   QCheckBox* LiveBox = nullptr;
   QLabel* SumLabel = nullptr;
+  QStringList RowReasons; ///< A sentence for each row of the last update.
   QLabel* NoteLabel = nullptr;
 };
 

@@ -28,6 +28,7 @@
 #include <QHelpEngine>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMainWindow>
 #include <QMouseEvent>
@@ -408,6 +409,72 @@ extern "C"
   void gui_type(int row, int column, double number)
   {
     FindVisible<QTableWidget>("SingularityTable")->item(row, column)->setData(Qt::EditRole, number);
+  }
+
+  /** Types a text into a cell of the table of sides; of column 0, chooses it if it is in the list. */
+  bool gui_type_side(int row, int column, const char* text)
+  {
+    auto* table = FindVisible<QTableWidget>("SideTable");
+    if (!table || row >= table->rowCount())
+    {
+      return false;
+    }
+    if (auto* names = qobject_cast<QComboBox*>(table->cellWidget(row, column)))
+    {
+      const bool isListed = names->findText(text) >= 0;
+      names->setCurrentText(text);
+      return isListed;
+    }
+    table->item(row, column)->setText(text);
+    return true;
+  }
+
+  /** Returns the number of rows of the table of sides. */
+  int gui_side_rows()
+  {
+    auto* table = FindVisible<QTableWidget>("SideTable");
+    return table ? table->rowCount() : -1;
+  }
+
+  /** Types a text into the line of a property, as a user who then presses Tab. */
+  bool gui_type_text(const char* property, const char* text)
+  {
+    auto* line = FindVisible<QLineEdit>(property);
+    if (line)
+    {
+      line->setFocus();
+      line->setText(text);
+      line->clearFocus();
+    }
+    return line != nullptr;
+  }
+
+  /** Returns the height of the panel in which a button is, minus the place of the button's lower end. */
+  int gui_room_below(const char* text)
+  {
+    for (QAbstractButton* button : pqCoreUtilities::mainWidget()->findChildren<QAbstractButton*>())
+    {
+      if (button->text().remove("&") == text && button->isVisible())
+      {
+        QWidget* dock = pqCoreUtilities::mainWidget()->findChild<QDockWidget*>("propertiesDock");
+        return dock->height() - button->mapTo(dock, QPoint(0, button->height())).y();
+      }
+    }
+    return -10000;
+  }
+
+  /** Checks or clears a check box by its text. */
+  bool gui_set_box(const char* text, bool isChecked)
+  {
+    for (QAbstractButton* box : pqCoreUtilities::mainWidget()->findChildren<QAbstractButton*>())
+    {
+      if (box->text().remove("&") == text && box->isVisible() && box->isCheckable())
+      {
+        box->setChecked(isChecked);
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Saves a picture of the window, or of the panel and the view alone. */

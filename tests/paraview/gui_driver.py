@@ -13,7 +13,7 @@ gui.gui_time_of_move.restype = gui.gui_number.restype = ctypes.c_double
 gui.gui_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
 for function in gui.gui_help, gui.gui_undo_label, gui.gui_messages, gui.gui_label, gui.gui_log:
     function.restype = ctypes.c_char_p
-for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_select_choice, gui.gui_abort_enabled, gui.gui_log_is_open:
+for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_select_choice, gui.gui_abort_enabled, gui.gui_log_is_open, gui.gui_type_side, gui.gui_type_text, gui.gui_set_box:
     function.restype = ctypes.c_bool
 gui.gui_listen()
 

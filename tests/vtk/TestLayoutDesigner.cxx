@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -61,6 +62,8 @@ public:
       this->Filter->GetOutput()->GetFieldData()->GetAbstractArray(name));
     return text == nullptr ? std::string() : std::string(text->GetValue(0));
   }
+
+  std::string ReasonOf(vtkIdType row) { return this->Filter->GetReasons()->GetValue(row); }
 
   std::string TextInView(bool isAlarm)
   {
@@ -311,6 +314,9 @@ TEST_F(LayoutDesigner, ReleasedNodesAreReported)
     << "the test needs another configuration";
   const std::vector<double> moves = this->Moves();
   EXPECT_GT(this->Value("MovedNodes"), 0);
+  const auto moved = std::max_element(moves.begin(), moves.end()) - moves.begin();
+  EXPECT_NE(this->ReasonOf(moved).find("Placed by you. Its node is "), std::string::npos)
+    << this->ReasonOf(moved);
   EXPECT_NEAR(this->Value("Moved"), *std::max_element(moves.begin(), moves.end()), 1e-12);
   EXPECT_NE(this->Text("Summary").find("moved by"), std::string::npos) << this->Text("Summary");
   // Drafts are at the handles.
@@ -423,6 +429,8 @@ TEST_F(LayoutDesigner, SnapJoinsNearlyCoincidentSeparatrices)
   FilterChecks::UpdateWithoutError(this->Filter);
   const double thin = this->Value("ShortestArc");
   EXPECT_LT(thin, 0.5);
+  EXPECT_NE(this->Text("Summary").find(": try Snap."), std::string::npos);
+  EXPECT_EQ(this->Text("Summary").find("lower is better"), std::string::npos) << "blocks are thin";
   const double patches = this->Value("Faces");
   this->Filter->Snap();
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -430,12 +438,58 @@ TEST_F(LayoutDesigner, SnapJoinsNearlyCoincidentSeparatrices)
   EXPECT_LT(this->Value("Faces"), patches);
   EXPECT_NE(this->Text("Events").find("separatrices were joined: "), std::string::npos)
     << this->Text("Events");
+  EXPECT_NE(this->Text("Summary").find("lower is better"), std::string::npos);
+  EXPECT_EQ(this->ReasonOf(0), "Moved by Snap, to join separatrices.");
   this->Filter->SetSnapTolerance(1e-9);
   this->Filter->Undo();
   FilterChecks::UpdateWithoutError(this->Filter);
   this->Filter->Snap();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("ShortestArc"), thin);
+  EXPECT_EQ(this->Text("Summary").find(": try Snap."), std::string::npos) << "it was tried";
+  EXPECT_NE(this->Text("Summary").find("try Merge."), std::string::npos);
+  // The remedy works.
+  this->Filter->SetMergeToCoarse();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Text("Summary").find("coincide"), std::string::npos) << this->Text("Summary");
+}
+
+TEST_F(LayoutDesigner, ExplainsRowsAndTheirSum)
+{
+  const auto sum = [this]
+  {
+    vtkIntArray* required = this->Filter->GetRequiredSum();
+    return required->GetNumberOfValues() == 1 ? required->GetValue(0) : -1000;
+  };
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(sum(), 4);
+  ASSERT_EQ(this->Filter->GetReasons()->GetNumberOfValues(), 4);
+  EXPECT_EQ(this->ReasonOf(3), "Chosen for this domain.");
+  this->SetFour();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->ReasonOf(3), "Placed by you.");
+  // Rows that do not add up, one of them outside.
+  this->Filter->SetSingularity(4, 3.0, 0.0, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Stale"), 1);
+  EXPECT_EQ(sum(), 4);
+  EXPECT_EQ(this->Filter->GetReasons()->GetNumberOfValues(), 5);
+  this->Filter->RemoveSingularity(4);
+  this->Filter->Update();
+  this->Filter->AddPair();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->ReasonOf(3), "Placed by you.");
+  EXPECT_EQ(this->ReasonOf(5), "Added by Add Pair, where there is most space.");
+  // A singularity at a corner takes its place in the sum.
+  this->Filter->RemoveAllSingularities();
+  this->Domain->SetDomainName("square");
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(sum(), 0);
+  double bounds[6];
+  this->Domain->GetOutput()->GetBounds(bounds);
+  this->Filter->AddSingularity(bounds[0], bounds[2], 0, 0.1);
+  this->Filter->Update();
+  EXPECT_EQ(sum(), 1);
 }
 
 TEST_F(LayoutDesigner, StartsFromItsPortWithoutRows)

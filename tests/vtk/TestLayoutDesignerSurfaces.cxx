@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -126,6 +127,8 @@ TEST_F(LayoutDesignerSurfaces, ApplyCommands)
   UpdateWithoutError(this->Filter);
   vtkDoubleArray* rows = this->Filter->GetRows();
   ASSERT_EQ(rows->GetNumberOfTuples(), 8) << "chosen";
+  ASSERT_EQ(this->Filter->GetRequiredSum()->GetNumberOfValues(), 1);
+  EXPECT_EQ(this->Filter->GetRequiredSum()->GetValue(0), 8);
   EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 0);
   this->SetEight();
   this->Filter->SetSingularity(0, 0.0, 0.0, 1, 1.0);

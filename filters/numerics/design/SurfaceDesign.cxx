@@ -106,6 +106,13 @@ DesignSurface::DesignSurface(SurfaceMesh surface, SurfaceNames names, double fea
   this->CoarsePart.features = std::move(coarse.features);
 }
 
+int DesignSurface::RequiredSum() const
+{
+  const SurfaceBody body = PlaceCones(this->Part);
+  return std::accumulate(body.faces.begin(), body.faces.end(), 0,
+    [](int sum, const ConedSurface& face) { return sum + face.RequiredQuarters(); });
+}
+
 std::vector<SurfaceSingularity> DesignSurface::Choose(
   double quadSize, const Progress& progress) const
 {

@@ -22,6 +22,10 @@ public:
   /// Returns the surface of about 4,000 triangles on which layouts are computed while a handle is dragged.
   const SurfaceMesh& Coarse() const { return this->CoarsePart.surface; }
 
+  /// Returns the sum that the quarter indices of singularities must have on all faces together. Throws Error as
+  /// PlaceCones does.
+  int RequiredSum() const;
+
   /// Chooses singularities for all faces; `quadSize` is the edge length of quads. Throws Error as ChooseSurfaceCones
   /// does.
   std::vector<SurfaceSingularity> Choose(double quadSize, const Progress& progress = {}) const;

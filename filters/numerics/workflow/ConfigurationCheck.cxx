@@ -24,6 +24,20 @@ std::string DescribeCaps(std::size_t corners, int uncapped)
     " (CapCorners, --no-cap-corners).";
 }
 
+/// Counts with singularities on the boundary as corners with chosen indices.
+PoincareHopfCount CountWithBoundary(const PlanarDomain& domain, const Configuration& configuration,
+  std::vector<CornerChoice> choices, double cornerAngle)
+{
+  int interior = TotalQuarters(configuration);
+  for (const CornerChoice& choice : BoundaryChoices(domain, configuration))
+  {
+    choices.push_back(choice);
+    interior -= choice.quarterIndex;
+  }
+  return CountQuarters(
+    InsertBoundarySingularities(domain, configuration).loops, interior, cornerAngle, choices);
+}
+
 /// Adds up the counts of regions.
 void Add(const PoincareHopfCount& part, PoincareHopfCount& sum)
 {
@@ -68,15 +82,7 @@ ConfigurationCheck CheckConfiguration(const PlanarDomain& domain,
   }
   progress.Report(0.1);
   RequireInside(domain, configuration);
-  std::vector<CornerChoice> chosen = choices;
-  int interior = TotalQuarters(configuration);
-  for (const CornerChoice& choice : BoundaryChoices(domain, configuration))
-  {
-    chosen.push_back(choice);
-    interior -= choice.quarterIndex;
-  }
-  result.count = CountQuarters(InsertBoundarySingularities(domain, configuration).loops, interior,
-    options.cornerAngle, chosen);
+  result.count = CountWithBoundary(domain, configuration, choices, options.cornerAngle);
   result.consistent = result.count.Consistent();
   if (result.consistent && options.holonomy)
   {
@@ -89,6 +95,17 @@ ConfigurationCheck CheckConfiguration(const PlanarDomain& domain,
     result.reason += " " + DescribeCaps(choices.size() - given, uncapped.requiredInteriorQuarters);
   }
   return result;
+}
+
+int RequiredSum(const PlanarDomain& domain, const Configuration& configuration,
+  const std::vector<CornerChoice>& choices, const CheckOptions& options)
+{
+  const PoincareHopfCount count = CountWithBoundary(domain, configuration,
+    options.cap ? CapCorners(CountQuarters(domain.loops, 0, options.cornerAngle, choices), choices)
+                : choices,
+    options.cornerAngle);
+  return count.requiredInteriorQuarters + TotalQuarters(configuration) -
+    count.givenInteriorQuarters;
 }
 
 ConfigurationCheck CheckRegions(const RegionSet& set, const Configuration& configuration,

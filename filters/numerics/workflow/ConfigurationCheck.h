@@ -34,6 +34,11 @@ ConfigurationCheck CheckConfiguration(const PlanarDomain& domain,
   const Configuration& configuration, std::vector<CornerChoice> choices,
   const CheckOptions& options, const Progress& progress = {});
 
+/// Returns the sum that all quarter indices of a configuration must have, also those on the boundary. Throws Error as
+/// CountQuarters does.
+int RequiredSum(const PlanarDomain& domain, const Configuration& configuration,
+  const std::vector<CornerChoice>& choices, const CheckOptions& options);
+
 /// Checks a configuration in each region of a set, with the indices of corners at nodes that are chosen together
 /// (docs/method.md §21.2). Throws Error as CheckConfiguration does.
 ConfigurationCheck CheckRegions(const RegionSet& set, const Configuration& configuration,

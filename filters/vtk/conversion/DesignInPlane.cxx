@@ -1,5 +1,6 @@
 #include "DesignInPlane.h"
 
+#include "ConfigurationCheck.h"
 #include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "LayoutSnap.h"
@@ -142,10 +143,22 @@ crossfield::LayoutDesign DesignInPlane::Design(
 }
 
 //------------------------------------------------------------------------------
-void DesignInPlane::WriteSingularities(
-  const crossfield::LayoutDesign* design, const Rows& rows, vtkPolyData* output) const
+int DesignInPlane::RequiredSum(const DesignRequest& request, const Rows& rows)
 {
-  ConfigurationConversion::WriteConfiguration(
-    design != nullptr ? design->nodes.singularities : ConfigurationOf(rows), this->DomainsPlane,
-    output);
+  const crossfield::SeamlessMapOptions options = this->MapOptions(request);
+  crossfield::CheckOptions check;
+  check.cap = options.capCorners;
+  return crossfield::RequiredSum(this->Domain.Get(), ConfigurationOf(rows), options.corners, check);
+}
+
+//------------------------------------------------------------------------------
+DesignModel::Rows DesignInPlane::NodesOf(const crossfield::LayoutDesign& design) const
+{
+  return RowsOf(design.nodes.singularities);
+}
+
+//------------------------------------------------------------------------------
+void DesignInPlane::WriteSingularities(const Rows& rows, vtkPolyData* output) const
+{
+  ConfigurationConversion::WriteConfiguration(ConfigurationOf(rows), this->DomainsPlane, output);
 }

@@ -15,6 +15,7 @@ public:
 
   double Area() const override { return this->Domain.Get().Area(); }
   const crossfield::DomainPlane& Plane() const override { return this->DomainsPlane; }
+  bool HasHeight() const override { return false; }
   Rows Read(vtkDataSet* singularities) const override;
   std::vector<crossfield::CornerChoice> ReadCorners(vtkDataSet* corners) const override;
   const Rows& Choose(const DesignRequest& request, const crossfield::Progress& progress) override;
@@ -22,8 +23,9 @@ public:
     const crossfield::Progress& progress) override;
   crossfield::LayoutDesign Design(
     const DesignRequest& request, const Rows& rows, const crossfield::Progress& progress) override;
-  void WriteSingularities(
-    const crossfield::LayoutDesign* design, const Rows& rows, vtkPolyData* output) const override;
+  int RequiredSum(const DesignRequest& request, const Rows& rows) override;
+  Rows NodesOf(const crossfield::LayoutDesign& design) const override;
+  void WriteSingularities(const Rows& rows, vtkPolyData* output) const override;
   void WriteTriangles(vtkDoubleArray*) const override {}
 
 private:

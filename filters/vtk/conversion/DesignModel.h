@@ -64,6 +64,9 @@ public:
   virtual double Area() const = 0;
   virtual const crossfield::DomainPlane& Plane() const = 0;
 
+  /** Returns whether the fourth number of a row is z. */
+  virtual bool HasHeight() const = 0;
+
   /** Reads singularities. */
   virtual Rows Read(vtkDataSet* singularities) const = 0;
 
@@ -81,9 +84,14 @@ public:
   virtual crossfield::LayoutDesign Design(
     const DesignRequest& request, const Rows& rows, const crossfield::Progress& progress) = 0;
 
-  /** Writes the singularities of a design, or those of rows if there is none. */
-  virtual void WriteSingularities(
-    const crossfield::LayoutDesign* design, const Rows& rows, vtkPolyData* output) const = 0;
+  /** Returns the sum that the quarter indices of rows must have. */
+  virtual int RequiredSum(const DesignRequest& request, const Rows& rows) = 0;
+
+  /** Returns where the nodes of the singularities of a design are. */
+  virtual Rows NodesOf(const crossfield::LayoutDesign& design) const = 0;
+
+  /** Writes singularities. */
+  virtual void WriteSingularities(const Rows& rows, vtkPolyData* output) const = 0;
 
   /** Writes the triangles on which handles are placed, nine numbers each; none in a plane. */
   virtual void WriteTriangles(vtkDoubleArray* output) const = 0;

@@ -128,11 +128,25 @@ crossfield::LayoutDesign DesignOnSurface::Design(
 }
 
 //------------------------------------------------------------------------------
-void DesignOnSurface::WriteSingularities(
-  const crossfield::LayoutDesign* design, const Rows& rows, vtkPolyData* output) const
+int DesignOnSurface::RequiredSum(const DesignRequest&, const Rows&)
 {
-  SurfaceConversion::WriteConfiguration(
-    design != nullptr ? design->onSurface : SingularitiesOf(rows), output);
+  if (!this->Required)
+  {
+    this->Required = this->Surface.RequiredSum();
+  }
+  return *this->Required;
+}
+
+//------------------------------------------------------------------------------
+DesignModel::Rows DesignOnSurface::NodesOf(const crossfield::LayoutDesign& design) const
+{
+  return RowsOf(design.onSurface);
+}
+
+//------------------------------------------------------------------------------
+void DesignOnSurface::WriteSingularities(const Rows& rows, vtkPolyData* output) const
+{
+  SurfaceConversion::WriteConfiguration(SingularitiesOf(rows), output);
 }
 
 //------------------------------------------------------------------------------

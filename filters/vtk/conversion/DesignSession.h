@@ -16,7 +16,10 @@ class vtkDataSet;
 struct DesignUpdate
 {
   DesignModel::Rows rows;
-  std::string refusal; ///< Why the singularities have no layout; empty if they have one.
+  std::string refusal;            ///< Why the singularities have no layout; empty if they have one.
+  std::optional<int> requiredSum; ///< Sum that the quarter indices must have, if it was found.
+  std::vector<std::string> reasons; ///< For each row, why it and its node are where they are.
+  bool isSnapped = false;           ///< Whether the rows are those after Snap.
 };
 
 /** State that a vtkLayoutDesigner keeps between updates. */
@@ -54,6 +57,10 @@ private:
     const crossfield::Progress& progress);
   void Apply(const DesignRequest& request, DesignModel::Rows& singularities, std::vector<Row>& rows,
     const crossfield::Progress& progress);
+  std::string OriginOf(const DesignRequest& request, bool isTyped) const;
+  void ExplainRows(const DesignRequest& request, bool isTyped, const DesignModel::Rows& rows);
+  std::vector<std::string> ExplainNodes(
+    const DesignRequest& request, const DesignModel::Rows& rows) const;
 
   vtkDataSet* Data = nullptr; ///< Identity token for change detection; never dereferenced.
   vtkMTimeType Time = 0;
@@ -62,6 +69,9 @@ private:
   std::optional<crossfield::LayoutDesign> Design;
   std::vector<std::string> Events;
   std::vector<std::vector<Row>> UndoStack; ///< Rows before each command.
+  DesignModel::Rows Explained;             ///< Rows of the last update.
+  std::vector<std::string> Origins;        ///< How each of them got its place.
+  DesignModel::Rows Snapped;               ///< Rows after the last Snap.
 };
 
 #endif

@@ -92,15 +92,18 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   {
     text << design->layouts.Single().tMesh.patches.size() << " patches";
   }
+  const bool isThin = design->shortestArc < 0.5 * report.quadSize;
   if (std::isfinite(design->energy.energy))
   {
     text << std::fixed << std::setprecision(2) << "; energy W " << design->energy.energy
-         << " (lower is better)";
+         << (isThin ? "" : " (lower is better)"); // lower may make thin blocks
   }
   text << ".";
-  if (report.canSnap && design->shortestArc < 0.5 * report.quadSize)
+  if (report.canSnap && isThin)
   {
-    text << " Two separatrices nearly coincide: try Snap.";
+    text << " Two separatrices nearly coincide"
+         << (report.isSnapped ? ", which Snap cannot join within its tolerance: try Merge."
+                              : ": try Snap.");
   }
   const std::string moves = DescribeMoves(design->nodes);
   text << (moves.empty() ? "" : " ") << moves;

@@ -16,10 +16,11 @@ namespace LayoutConversion
 /** Context of the report of a design. */
 struct Report
 {
-  std::string refusal;   ///< Why the design is outdated; empty if it is current.
-  double quadSize = 0.0; ///< Side length of quads, the unit in which the shortest arc is reported.
-  bool canSnap = true;   ///< Whether Snap is offered; merged blocks do not need it.
-  bool isDraft = false;  ///< Whether the quads are drafts, about which there are no warnings.
+  std::string refusal;    ///< Why the design is outdated; empty if it is current.
+  double quadSize = 0.0;  ///< Side length of quads, the unit in which the shortest arc is reported.
+  bool canSnap = true;    ///< Whether Snap is offered; merged blocks do not need it.
+  bool isSnapped = false; ///< Whether Snap has been tried on these singularities.
+  bool isDraft = false;   ///< Whether the quads are drafts, about which there are no warnings.
 };
 
 /**
