@@ -1,23 +1,26 @@
 #!/usr/bin/env bash
 # Installs the packages of Debian 12 or 13 that building needs. Returns at once if none is missing.
 #
-#   scripts/packages.sh [--tests] [--all] [--update]
+#   scripts/packages.sh [--tests] [--package] [--all] [--update]
 #
 #   --tests    also what the tests of scripts/test.sh need
+#   --package  also what scripts/deb.sh needs
 #   --all      also what scripts/test.sh --all needs: plain VTK, the checked build, two kinds of tests
 #   --update   updates the lists of packages even if no package is missing
 set -euo pipefail
 
 tests=no
+package=no
 all=no
 update=no
 for option in "$@"; do
   case $option in
     --tests) tests=yes ;;
-    --all) tests=yes all=yes ;;
+    --package) package=yes ;;
+    --all) tests=yes package=yes all=yes ;;
     --update) update=yes ;;
     *)
-      echo "packages.sh: unknown option $option. Use --tests, --all or --update." >&2
+      echo "packages.sh: unknown option $option. Use --tests, --package, --all or --update." >&2
       exit 2
       ;;
   esac
@@ -55,9 +58,15 @@ if [[ $tests == yes ]]; then
     libbenchmark-dev libgtest-dev "${of_release[@]}"
     # Readers of the files for solvers.
     cgns-convert gmsh openfoam python3-meshio
+    # Readers of the recipe of the conda package.
+    python3-jinja2 python3-yaml
     # For parameter studies, which run with mpirun.
     openmpi-bin python3-mpi4py
   )
+fi
+if [[ $package == yes ]]; then
+  # cpack needs the first two; lintian checks what it has made.
+  packages+=(dpkg-dev file lintian)
 fi
 if [[ $all == yes ]]; then
   packages+=(
@@ -66,9 +75,8 @@ if [[ $all == yes ]]; then
     libjsoncpp-dev patchelf
     # The checked build: sanitizers, libFuzzer, OpenMP, gcov and clang-tidy of clang.
     clang-14 clang-tidy-14 gcovr libclang-rt-14-dev libomp-14-dev llvm-14
-    # Tests that only --all runs: the Debian package, which cpack makes with dpkg-dev and file, and
-    # memcheck.
-    dpkg-dev file valgrind
+    # Tests that only --all runs: memcheck.
+    valgrind
   )
 fi
 
