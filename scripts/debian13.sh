@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Builds and tests the last commit on Debian 13: unpacks a minimal Debian 13 in build-debian13/, clones the
-# commit into it, and runs scripts/demo.sh and scripts/test.sh there, with warnings as errors. Needs root,
-# the package debootstrap, 10 GB and about an hour. Run again, it continues with what has not passed yet.
+# commit into it, and runs scripts/demo.sh and scripts/test.sh there, with warnings as errors. Then makes the Debian
+# package, and installs and uses it there. Needs root, the package debootstrap, 10 GB and about an hour. Run again, it
+# continues with what has not passed yet.
 #
-#   scripts/debian13.sh                  demo and tests
+#   scripts/debian13.sh                  demo, tests and package
 #   scripts/debian13.sh COMMAND [...]    runs a command in the clone instead, for example bash
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -54,12 +55,18 @@ if [[ $# -gt 0 ]]; then
   in_debian13 "$@"
   exit
 fi
-for script in demo test; do
+for script in demo test deb; do
   passed=$folder/passed-$script
   if [[ -e $passed && $(<"$passed") == "$commit" ]]; then
     echo "scripts/$script.sh has passed on Debian 13 before: $commit"
     continue
   fi
-  in_debian13 "scripts/$script.sh"
+  if [[ $script == deb ]]; then
+    in_debian13 scripts/deb.sh --test --install
+    in_debian13 bash tests/package/use_package.sh /tmp/use_package build/tests/install/example
+    in_debian13 apt-get --quiet remove --yes crossfield # a further run must not find it
+  else
+    in_debian13 "scripts/$script.sh"
+  fi
   echo "$commit" >"$passed"
 done
