@@ -9,7 +9,7 @@ All blocks of the page run in one temporary folder, from top to bottom, as a rea
 - ```console: every line that begins with `crossfield` or `build/bin/crossfield`, after an optional
   `$ `, runs with PROGRAM; a `\` continues a line. Its exit status must be 0, or that of a comment
   `# exit status 1` at its end; the words in double quotes in the comment must be in its output.
-  Other lines are not compared.
+  Other lines are not compared. Arguments that begin with `tests/data/` are files of the source tree.
 - ```python: runs in pvpython with the plugin loaded and everything of paraview.simple imported.
   An error that a filter reports fails the test, as an exception does.
 
@@ -27,6 +27,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import kept  # noqa: E402
 
 page, program, plugin = sys.argv[1:4]
+TREE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 pvpython = sys.argv[5:]
 with open(page, encoding="utf-8") as file:
     text = file.read()
@@ -60,7 +61,8 @@ def run_console(block, directory):
             continue
         comment = line.partition("#")[2]
         expected = re.search(r"exit status (\d)", comment)
-        output = run([program] + words[1:], directory, int(expected.group(1)) if expected else 0)
+        words = [os.path.join(TREE, word) if word.startswith("tests/data/") else word for word in words[1:]]
+        output = run([program] + words, directory, int(expected.group(1)) if expected else 0)
         output = re.sub(r"\s+", " ", output)
         for said in re.findall(r'"([^"]*)"', comment):
             if said not in output:
