@@ -19,7 +19,7 @@ import unittest
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 METHOD_PAGE = "docs/method.md"
-README_LINES = 160
+README_LINES = 115
 # Broken up, because this file is checked too.
 ELSEWHERE = re.compile(
     r"(?<!\w)(?:MET" r"HOD|DES" r"IGN|STY" r"LE(?= ?§|\.md)|QUA" r"DS|\.\./sha" r"red)(?!\w)")
