@@ -14,6 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_QUAD
 
 from gui_driver import check, check_equal, drag, gui, messages, picture, run, wait
+from tutorial_texts import tutorial_picture
 
 MOVES = 60
 # The polygon is read from the page.
@@ -132,7 +133,11 @@ def run_step(step):
     view = GetActiveViewOrCreate("RenderView")
     SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
     step(view)
-    picture(step.__name__[5:] + ".png", is_whole_window=False)
+    name = step.__name__[5:]
+    if name in ("propose", "drag", "quads"):
+        tutorial_picture(name)
+    else:
+        picture(name + ".png", is_whole_window=False)
     check_equal(messages(), "", "messages of " + step.__name__)
 
 
