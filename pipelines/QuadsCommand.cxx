@@ -59,6 +59,7 @@ struct QuadsOptions
   std::vector<std::string> sizing = { "auto" };
   int merge = vtkQuadMesher::MergeNone;
   int prefer = vtkQuadMesher::PreferEnergy;
+  int alternative = 0;
   double clearance = 0.0;
   int pairs = 0;
   bool capCorners = true;
@@ -162,6 +163,7 @@ int Mesh(const QuadsOptions& options)
   options.sides.SetOn(mesher);
   mesher->SetMerge(options.merge);
   mesher->SetPrefer(options.prefer);
+  mesher->SetAlternative(options.alternative);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
   mesher->SetHoldSingularities(options.hold);
@@ -348,6 +350,11 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "symmetry")
     ->transform(NumberCheck::Word(preferences))
     ->type_name("WORD");
+  command
+    ->add_option("--alternative", options->alternative,
+      "which of several chosen configurations is used, in the order of alternatives in the report; "
+      "default: 0, the preferred one")
+    ->check(NumberCheck::Whole(0, 1000));
   command
     ->add_option("--mesh-size", options->meshSize,
       "target edge length of the triangles on which the map is computed, positive; default: 1/40 of "

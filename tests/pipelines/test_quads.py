@@ -63,6 +63,9 @@ class Quads(ProgramTest):
         self.assertLessEqual(even["size_variation"], nodes["size_variation"])
         same = [sorted(map(str, one["alternatives"])) for one in (report, nodes, even)]
         self.assertEqual(same[1:], same[:2])
+        second = self.report("disk.geojson", "--quads", "1500", "--alternative", "1")
+        self.assertEqual(second["scaled_jacobian"]["min"], alternatives[1]["scaled_jacobian"])
+        self.assertEqual(sum(second["irregular"].values()), alternatives[1]["nodes"])
         self.refuse("quads", "disk.geojson", "-o", "a.vtu", "--prefer", "all", says=["nodes", "blocks", "uniform"])
 
     def test_the_text_is_two_lines_unless_it_is_verbose(self):
