@@ -354,7 +354,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->add_option("--alternative", options->alternative,
       "which of several chosen configurations is used, in the order of alternatives in the report; "
       "default: 0, the preferred one")
-    ->check(NumberCheck::Whole(0, 1000));
+    ->transform(NumberCheck::Whole(0, 1000));
   command
     ->add_option("--mesh-size", options->meshSize,
       "target edge length of the triangles on which the map is computed, positive; default: 1/40 of "

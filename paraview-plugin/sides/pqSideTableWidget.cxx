@@ -73,7 +73,7 @@ void pqSideTableWidget::MakePanel(const QString& label, const QString& help)
   top->addWidget(add);
   this->RemoveButton = new QPushButton("Remove", this);
   this->RemoveButton->setObjectName("RemoveSide");
-  this->RemoveButton->setToolTip("Removes the selected row.");
+  this->RemoveButton->setToolTip("Removes the selected row, or the last one.");
   top->addWidget(this->RemoveButton);
 
   this->Table = new QTableWidget(0, Columns, this);
@@ -174,13 +174,10 @@ void pqSideTableWidget::AddRow(const QStringList& texts)
 //------------------------------------------------------------------------------
 void pqSideTableWidget::RemoveRow()
 {
-  const int row = this->Table->currentRow();
-  if (row >= 0)
-  {
-    this->Table->removeRow(row);
-    this->FitHeight();
-    Q_EMIT this->TextsChanged();
-  }
+  const int chosen = this->Table->currentRow();
+  this->Table->removeRow(chosen >= 0 ? chosen : this->Table->rowCount() - 1);
+  this->FitHeight();
+  Q_EMIT this->TextsChanged();
 }
 
 //------------------------------------------------------------------------------
