@@ -1,7 +1,15 @@
-"""Functions that the examples with CalculiX share: their folder, loads for its input, and results from its output."""
+"""Functions that the examples with CalculiX share: their folder, loads for its input, and results from its output.
+
+    python3 calculix.py MESH.inp RESULT.frd SIDE...
+
+prints the largest von Mises stress at the nodes of each side, and where it is. RESULT.frd has the nodes of MESH.inp: the step
+writes it with OUTPUT=2D if its elements are plane.
+"""
 import contextlib
 import pathlib
+import re
 import subprocess
+import sys
 import tempfile
 
 
@@ -30,6 +38,12 @@ def read_mesh(text):
     return places, [[int(node) for node in row[1:]] for row in rows("*ELEMENT")]
 
 
+def read_side(text, side):
+    """Returns the nodes of a side of an .inp file."""
+    rows = text.split(f"*NSET, NSET={side}\n")[1].split("*")[0]
+    return [int(node) for node in re.findall(r"\d+", rows)]
+
+
 def run(folder, name):
     """Runs CalculiX on name.inp and returns positions, displacements and stresses (xx, yy, zz, xy, yz, zx) by node."""
     subprocess.run(["ccx", name], cwd=folder, check=True, stdout=subprocess.DEVNULL)
@@ -55,3 +69,16 @@ def equivalent(stress):
     """Returns the von Mises stress."""
     xx, yy, zz, xy, yz, zx = stress
     return (((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * (xy ** 2 + yz ** 2 + zx ** 2)) ** 0.5
+
+
+def main():
+    mesh = pathlib.Path(sys.argv[1]).read_text()
+    places, _, stresses = read_results(pathlib.Path(sys.argv[2]))
+    for side in sys.argv[3:]:
+        node = max(read_side(mesh, side), key=lambda node: equivalent(stresses[node]))
+        x, y, _ = places[node]
+        print(f"{side}: {equivalent(stresses[node]):.1f} at ({x:.1f}, {y:.1f})")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,9 +1,10 @@
 """Drag of a NACA 0012 profile at zero incidence in laminar flow, with OpenFOAM.
 
     python3 naca.py [--program CROSSFIELD] [--quads N ...] [--reynolds RE ...] [--keep FOLDER]
+    python3 naca.py --drawing FILE.dxf
 
 Writes the profile in a far field as a drawing, meshes it with a C-grid and a boundary layer, solves the case with simpleFoam and
-prints cells and drag. Needs the Debian package openfoam.
+prints cells and drag, or writes the drawing alone. Needs the Debian package openfoam.
 """
 import argparse
 import math
@@ -55,7 +56,11 @@ def main():
     parser.add_argument("--quads", type=int, nargs="+", default=[5000])
     parser.add_argument("--reynolds", type=int, nargs="+", default=[1000, 5000])
     parser.add_argument("--keep", type=pathlib.Path, help="keep the last case in this folder")
+    parser.add_argument("--drawing", type=pathlib.Path, help="write the drawing to this file, and nothing else")
     options = parser.parse_args()
+    if options.drawing:
+        write_drawing(options.drawing)
+        return
     for quads in options.quads:
         for reynolds in options.reynolds:
             with tempfile.TemporaryDirectory() as temporary:
