@@ -32,6 +32,7 @@ if ! $only_tutorial; then
   PYTHONPATH=$python /usr/bin/python3 scripts/pictures/sizes.py docs/sizes
   PYTHONPATH=$python /usr/bin/python3 scripts/pictures/regions.py docs/regions
   PYTHONPATH=$python /usr/bin/python3 scripts/pictures/lines.py docs/lines
+  CROSSFIELD=$crossfield scripts/parts.sh
 fi
 
 # Tests in ParaView's client perform the steps of the pages and save these pictures. The texts are not compared with the
