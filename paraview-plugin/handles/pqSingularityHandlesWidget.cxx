@@ -93,7 +93,7 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
 {
   auto* panel = new QVBoxLayout(this);
   panel->setContentsMargins(0, 0, 0, 0);
-  // Buttons are above the table, where they do not move when it grows.
+  // Buttons and sum are above the table, where they do not move when it grows.
   auto* buttons = new QHBoxLayout;
   panel->addLayout(buttons);
   const auto addButton = [&](const QString& text, const QString& name, const QString& help)
@@ -111,12 +111,32 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
     "Adds a singularity of quarter index +1 and one of \u22121, which does not change the sum.");
   this->RemoveButton = addButton("Remove", "Remove", "Removes the selected singularity (Delete).");
   buttons->addStretch();
+
+  auto* sum = new QHBoxLayout;
+  panel->addLayout(sum);
+  this->SumLabel = new QLabel(this);
+  this->SumLabel->setObjectName("Sum");
+  sum->addWidget(this->SumLabel);
+  this->LiveBox = new QCheckBox("Live", this);
+  this->LiveBox->setObjectName("Live");
+  this->LiveBox->setChecked(true);
+  this->LiveBox->setToolTip("Updates the pipeline while a handle is dragged; "
+                            "off: when it is released.");
+  sum->addSpacing(20);
+  sum->addWidget(this->LiveBox);
+  sum->addStretch();
+
   this->Table = new SingularityTable(this);
   if (!hasRadius)
   {
     this->Table->HideRadius();
   }
   panel->addWidget(this->Table);
+  this->NoteLabel = new QLabel(this);
+  this->NoteLabel->setObjectName("Note");
+  this->NoteLabel->setWordWrap(true);
+  panel->addWidget(this->NoteLabel);
+
   auto* deleteKey = new QShortcut(QKeySequence::Delete, this->Table);
   deleteKey->setContext(Qt::WidgetShortcut);
   QObject::connect(deleteKey, &QShortcut::activated, this, [this] { this->RemoveChosen(); });
@@ -124,25 +144,6 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
   QObject::connect(addPair, &QPushButton::clicked, this, [this] { this->Add({ 1, -1 }); });
   QObject::connect(
     this->RemoveButton, &QPushButton::clicked, this, [this] { this->RemoveChosen(); });
-
-  auto* bottom = new QHBoxLayout;
-  panel->addLayout(bottom);
-  this->SumLabel = new QLabel(this);
-  this->SumLabel->setObjectName("Sum");
-  bottom->addWidget(this->SumLabel);
-  this->LiveBox = new QCheckBox("Live", this);
-  this->LiveBox->setObjectName("Live");
-  this->LiveBox->setChecked(true);
-  this->LiveBox->setToolTip("Updates the pipeline while a handle is dragged; "
-                            "off: when it is released.");
-  bottom->addSpacing(20);
-  bottom->addWidget(this->LiveBox);
-  bottom->addStretch();
-  this->NoteLabel = new QLabel(this);
-  this->NoteLabel->setObjectName("Note");
-  this->NoteLabel->setWordWrap(true);
-  panel->addWidget(this->NoteLabel);
-
   QObject::connect(this->Table, &SingularityTable::NumberTyped, this,
     [this](int row, int column, double number) { this->SetNumber(row, column, number); });
   QObject::connect(

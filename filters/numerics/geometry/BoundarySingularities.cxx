@@ -42,9 +42,10 @@ std::vector<CornerChoice> BoundaryChoices(
   const PlanarDomain& domain, const Configuration& configuration)
 {
   std::vector<CornerChoice> choices;
+  const double reach = BoundaryReach * domain.Diagonal(); // takes longer than the distances
   for (const Singularity& singularity : configuration)
   {
-    if (IsOnBoundary(domain, singularity.position))
+    if (std::abs(SignedDistance(singularity.position, domain)) <= reach)
     {
       choices.push_back({ singularity.position, singularity.quarterIndex });
     }

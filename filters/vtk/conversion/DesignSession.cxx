@@ -46,6 +46,7 @@ const DesignModel& DesignSession::Read(vtkDataSet* data, double featureAngle)
     this->Explained.clear();
     this->Origins.clear();
     this->Snapped.clear();
+    this->RequiredSum.reset();
     if (isSurface)
     {
       this->Model = std::make_unique<DesignOnSurface>(data, featureAngle);
@@ -76,7 +77,11 @@ DesignUpdate DesignSession::Update(
     this->ExplainRows(request, isTyped, update.rows);
     update.isSnapped = update.rows == this->Snapped;
     update.reasons = this->Origins;
-    update.requiredSum = this->Model->RequiredSum(request, update.rows);
+    if (!request.isDragging) // costs a tenth of a layout, and is not shown meanwhile
+    {
+      this->RequiredSum = this->Model->RequiredSum(request, update.rows);
+    }
+    update.requiredSum = this->RequiredSum;
     if (this->Design)
     {
       request.options.earlier = this->Design->colours;

@@ -72,6 +72,7 @@ private:
   DesignModel::Rows Explained;             ///< Rows of the last update.
   std::vector<std::string> Origins;        ///< How each of them got its place.
   DesignModel::Rows Snapped;               ///< Rows after the last Snap.
+  std::optional<int> RequiredSum;          ///< That was found last.
 };
 
 #endif
