@@ -70,6 +70,19 @@ void PrintMaterials(vtkFieldData* report)
   std::cout << (materials.size() > Listed ? ", ...\n" : "\n");
 }
 
+/** Prints the names of the sides and their numbers of edges. */
+void PrintNames(vtkFieldData* report)
+{
+  auto* sides = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::SideNames));
+  const vtkIdType count = sides == nullptr ? 0 : sides->GetNumberOfValues();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    std::cout << (i == 0 ? "sides: " : ", ") << sides->GetValue(i) << " "
+              << report->GetArray(names::SideEdges)->GetTuple1(i)
+              << (i + 1 == count ? " edges\n" : "");
+  }
+}
+
 /** Prints a line for each boundary layer. */
 void PrintLayers(vtkFieldData* report)
 {
@@ -141,6 +154,7 @@ void Print(vtkUnstructuredGrid* quads)
 
 void PrintSides(vtkFieldData* report)
 {
+  PrintNames(report);
   PrintLayers(report);
   PrintPeriodic(report);
   PrintCurves(report);

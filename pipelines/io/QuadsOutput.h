@@ -13,7 +13,7 @@ namespace QuadsOutput
 /** Prints numbers of quads, blocks and irregular nodes, and the quality. */
 void Print(vtkUnstructuredGrid* quads);
 
-/** Prints a line for each boundary layer, each pair of periodic sides and each curve. */
+/** Prints the names of the sides, and a line for each boundary layer, each pair of periodic sides and each curve. */
 void PrintSides(vtkFieldData* report);
 
 /** Prints the names of the files that were written; an empty name stands for none. */

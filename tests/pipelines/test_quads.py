@@ -77,7 +77,8 @@ class Quads(ProgramTest):
         verbose = self.succeed(*arguments, "--verbose").splitlines()
         events = json.loads(self.succeed(*arguments, "--json", "-"))["events"]
         self.assertEqual(verbose[:len(events)], events)
-        self.assertEqual(verbose[-2:], [made, written])
+        self.assertEqual(verbose[-3:], [made, verbose[-2], written])
+        self.assertRegex(verbose[-2], r"^sides: outer0 \d+ edges$")
         self.assertEqual(self.succeed(*arguments, "--json", "report.json"), "")
         result = self.run_program("quads", "builtin:rectangle", "-o", "a.vtu", "--count", "outer0:400")
         self.assertEqual((result.stdout.count("\n"), result.stderr[:8]), (2, "Warning:"))

@@ -176,6 +176,13 @@ class Regions(ProgramTest):
         report = self.quads("pipe.svg", "quads.vtu", "--materials", "curves", "--curves", "auto", "--quads", "900")
         self.assertEqual([region["name"] for region in report["regions"]], ["soil", "wool", "steel"])
         self.assertEqual({side["name"] for side in report["sides"]}, {"soil", "wool", "steel", "hole"})
+        # Given singularities that move are events, as on a domain of one material.
+        (self.folder / "four.csv").write_text("x,y,quarter_index\n2,0,1\n-2,0,1\n0,2,1\n0,-2,1\n")
+        (self.folder / "rod.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="-5 -5 10 10">'
+                                             '<circle id="sleeve" r="5"/><circle id="rod" r="4"/></svg>')
+        moved = self.quads("rod.svg", "quads.vtu", "--materials", "curves", "-s", "four.csv", "--count", "rod:32")
+        self.assertGreater(moved["moved"], 1)
+        self.assertEqual(sum("to its node at" in event for event in moved["events"]), len(moved["moves"]))
         self.assertNotIn("regions", self.quads("pipe.svg", "quads.vtu", "--quads", "900"))
         self.refuse("quads", "builtin:disk", "-o", "q.vtu", "--materials", "curves", says=("is no drawing",))
 

@@ -8,6 +8,7 @@ import re
 import xml.dom.minidom
 
 from paraview import servermanager
+from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
 
 from checks import check, check_equal
 from loaded_plugin import *
@@ -119,7 +120,13 @@ def test_groups():
                if not any(item is member for member in members) and not item.GetInformationOnly()]
     check_equal(lacking, ["Input"], "properties in no group")
     # The panel shows a group where its first property is.
-    order = [item for _, item in properties_of(prototype)]
+    ordered = vtkSMOrderedPropertyIterator()
+    ordered.SetProxy(prototype)
+    ordered.Begin()
+    order = []
+    while not ordered.IsAtEnd():
+        order.append(ordered.GetProperty())
+        ordered.Next()
     places = [order.index(member) for member in members]
     check_equal(places, sorted(places), "the order of the properties")
     shown = [item for item in members if item.GetPanelVisibility() == "default"]

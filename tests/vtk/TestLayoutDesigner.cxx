@@ -483,7 +483,7 @@ TEST_F(LayoutDesigner, ExplainsRowsAndTheirSum)
   // A singularity at a corner takes its place in the sum.
   this->Filter->RemoveAllSingularities();
   this->Domain->SetDomainName("square");
-  FilterChecks::UpdateWithoutError(this->Filter);
+  this->Filter->Update(); // no separatrices
   EXPECT_EQ(sum(), 0);
   double bounds[6];
   this->Domain->GetOutput()->GetBounds(bounds);

@@ -252,7 +252,7 @@ TEST_F(QuadMesherOutputs, SummaryIsATextForTheView)
   char expected[200];
   std::snprintf(expected, sizeof expected,
     "%d quads in 5 blocks; minimum angle %.0f°, minimum scaled Jacobian %.2f; irregular nodes: 4 of "
-    "valence 3.",
+    "valence 3. Sides: outer0.",
     static_cast<int>(quads->GetNumberOfCells()), minimum, this->Report("ScaledJacobianRange"));
   EXPECT_EQ(text, expected);
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.3, 0.0, 1.0, 0.1 } }));

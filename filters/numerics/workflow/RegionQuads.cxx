@@ -303,6 +303,7 @@ private:
     NodePositions nodes = FindNodePositions(map, quads.mesh, chosen, chosen);
     result.singularities = std::move(nodes.singularities);
     result.moved = nodes.moved;
+    result.events.insert(result.events.end(), nodes.events.begin(), nodes.events.end());
     if (this->Request.singularities)
     {
       this->AddMoves(chosen);
