@@ -52,6 +52,12 @@ bool HasOpposite(const std::vector<Cone>& cones)
   return has(1) && has(-1);
 }
 
+int CountSingularities(const std::vector<Cone>& cones)
+{
+  return static_cast<int>(
+    std::count_if(cones.begin(), cones.end(), [](const Cone& cone) { return !cone.onBoundary; }));
+}
+
 /// Makes the quads of one part.
 class BodyMesher
 {
@@ -120,20 +126,22 @@ private:
     }
   }
 
-  /// Takes quads without pairs of opposite singularities if they are better and their sizes vary little more: smooth
-  /// crosses have such pairs where sizes change.
+  /// Takes quads without pairs of opposite singularities if they are better and each pair has removed less than a part
+  /// of the spread of sizes: smooth crosses have such pairs where sizes change.
   void TryWithoutPairs(PartOfQuads& made, const Progress& progress)
   {
-    constexpr double Little = 0.1; // of the mean size, less than most pairs remove
+    constexpr double Removed = 0.15; // as for pairs that are added in a plane (QuadRequest::pairs)
+    const int count = CountSingularities(this->Body.faces.front().cones);
     this->WithoutPairs = true;
     std::optional<PartOfQuads> fewer = this->TryAgain();
     if (!fewer)
     {
       return;
     }
+    const int pairs = (count - CountSingularities(this->Body.faces.front().cones)) / 2;
     this->Improve(*fewer, progress);
-    const double before = made.quads.quads.quality.variation;
-    if (fewer->quads.quads.quality.variation <= before + Little && IsBetter(*fewer, made))
+    const double worth = std::pow(1.0 - Removed, pairs) * fewer->quads.quads.quality.variation;
+    if (made.quads.quads.quality.variation > worth && IsBetter(*fewer, made))
     {
       Take(*fewer, "Pairs of opposite singularities were left out", made);
     }
