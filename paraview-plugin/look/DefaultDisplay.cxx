@@ -235,13 +235,13 @@ bool HasData(pqPipelineSource* source, int port)
 }
 
 //------------------------------------------------------------------------------
-/** Leaves the field data that describe curves to other filters out of the lists of colours. */
-void HideCurveData()
+/** Leaves the field data that describe a drawing to other filters out of the lists of colours. */
+void HideDrawingData()
 {
   vtkPVRepresentedArrayListSettings* settings = vtkPVRepresentedArrayListSettings::GetInstance();
   const int count = settings->GetNumberOfFilterExpressions();
   settings->SetNumberOfFilterExpressions(count + 1);
-  settings->SetFilterExpression(count, "^Curve(Kind|Offset|Values)$");
+  settings->SetFilterExpression(count, "^(Curve(Kind|Offset|Values)|DrawingUnit|LargestGap)$");
 }
 
 //------------------------------------------------------------------------------
@@ -293,7 +293,7 @@ DefaultDisplay::DefaultDisplay(QObject* parent)
 //------------------------------------------------------------------------------
 void DefaultDisplay::startup()
 {
-  HideCurveData();
+  HideDrawingData();
   pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
   QObject::connect(builder, &pqObjectBuilder::filterCreated, this, &ApplyAtFirstShow);
   QObject::connect(builder, &pqObjectBuilder::sourceCreated, this, &ApplyAtFirstShow);

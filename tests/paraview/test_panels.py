@@ -146,6 +146,22 @@ def test_buttons_with_twelve_rows(view):
     picture("buttons.png")
 
 
+def test_lists_of_colours(view):
+    """Field data about a drawing are not among the arrays that can colour it; the names of its sides are."""
+    file = os.path.join(os.environ["FOLDER"], "ring.svg")
+    with open(file, "w", encoding="utf-8") as drawing:
+        drawing.write('<svg xmlns="http://www.w3.org/2000/svg" width="6mm" viewBox="-3 -3 6 6"><circle id="rim" r="2"/><circle id="hole" r="1"/></svg>')
+    ring = OpenDataFile(file)
+    shown = Show(ring)
+    domain = shown.SMProxy.GetProperty("ColorArrayName").FindDomain("vtkSMRepresentedArrayListDomain")
+    names = {domain.GetString(i) for i in range(domain.GetNumberOfStrings())}
+    check({"Curve", "Side"} <= names, "arrays: %s" % names)
+    fields = ring.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
+    present = {fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())}
+    check({"CurveKind", "CurveOffset", "DrawingUnit"} <= present, "field data: %s" % present)
+    check(not names & {"CurveKind", "CurveOffset", "CurveValues", "DrawingUnit", "LargestGap"}, "arrays: %s" % names)
+
+
 def in_new_session(test):
     ResetSession()
     wait(300)
