@@ -3,6 +3,7 @@
 #include "DesignInPlane.h"
 #include "DesignOnSurface.h"
 #include "Error.h"
+#include "Plane.h"
 #include "QuarterIndexRange.h"
 #include "SurfaceConversion.h"
 
@@ -17,14 +18,6 @@
 
 namespace
 {
-std::string ShortText(double number)
-{
-  std::ostringstream text;
-  text.precision(2);
-  text << number;
-  return text.str();
-}
-
 /** Returns the distance of two rows. The fourth numbers are their z, or radii. */
 double Distance(const DesignModel::Row& one, const DesignModel::Row& other, bool hasHeight)
 {
@@ -218,7 +211,7 @@ std::vector<std::string> DesignSession::ExplainNodes(
     const double distance = Distance(rows[i], nodes[i], this->Model->HasHeight());
     if (this->Design->quads && distance > noticeable)
     {
-      reasons[i] += " Its node is " + ShortText(distance) + " away, " +
+      reasons[i] += " Its node is " + crossfield::FormatNumber(distance, 2) + " away, " +
         (request.options.clean ? "where separatrices meet (Merge)."
                                : "because quads would be poor here.");
     }
