@@ -1,8 +1,8 @@
-"""Prepares the definitions of proxies for ParaView: expand_proxies.py FOLDER DEFINITION...
+"""Prepares the definitions of proxies for ParaView: expand_proxies.py FOLDER GLOSSARY.md DEFINITION...
 
 Writes all proxies that have a class to one file, with the properties of their bases (ParaView 5.11 does not override a
 property in the middle of a chain of bases), and a page FOLDER/help/GROUP.NAME.html for each, the name under which the
-client looks for its help. (ParaView's own generator of help needs xmlpatterns, which Qt 6 does not have.)
+client looks for its help. The page help/glossary.html, to which they link, has the texts of GLOSSARY.md. (ParaView's own generator of help needs xmlpatterns, which Qt 6 does not have.)
 """
 import copy
 import html
@@ -64,10 +64,16 @@ def move_to_groups(proxy):
 
 
 def formatted(documentation):
-    """Returns the text of an element, with ParaView's marks of bold and italics and its lists, as HTML."""
+    """Returns the text of an element as HTML."""
     text = documentation.text if documentation is not None and documentation.text else ""
     first, newline, others = text.partition("\n")
-    text = html.escape((first.strip() + newline + textwrap.dedent(others)).strip(), quote=False)
+    made = marked((first.strip() + newline + textwrap.dedent(others)).strip())
+    return made.replace("docs/glossary.md", 'the <a href="glossary.html">glossary</a>')
+
+
+def marked(text):
+    """Returns a text with marks of bold and italics and lists, those of ParaView and Markdown, as HTML."""
+    text = html.escape(text, quote=False)
     text = re.sub(r"\*\*([^*]+)\*\*", r"<b>\1</b>", text)
     text = re.sub(r"\*([^*]+)\*", r"<i>\1</i>", text)
     parts = []
@@ -104,6 +110,15 @@ def page(proxy):
         text=formatted(documentation), rows="\n".join(filter(None, rows)))
 
 
+def glossary(file_name):
+    """Returns a page with the texts of the glossary, without pictures and links."""
+    with open(file_name, encoding="utf-8") as file:
+        text = re.sub(r"^!\[.*\n", "", file.read(), flags=re.MULTILINE)
+    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    parts = [re.sub(r"^<p>(#+) (.*)</p>$", r"<h2>\2</h2>", marked(part)) for part in re.split(r"\n\s*\n", text)]
+    return "<html><head><title>Glossary</title></head><body>\n%s\n</body></html>\n" % "\n".join(parts)
+
+
 def write(path, text):
     """Writes a file unless it has this text already, which would compile the plugin again."""
     if os.path.exists(path):
@@ -114,10 +129,11 @@ def write(path, text):
         file.write(text)
 
 
-def main(folder, *inputs):
+def main(folder, glossary_file, *inputs):
     groups = [group for name in inputs for group in tree.parse(name).getroot()]
     proxies = {(group.get("name"), proxy.get("name")): proxy for group in groups for proxy in group}
     os.makedirs(os.path.join(folder, "help"), exist_ok=True)
+    write(os.path.join(folder, "help", "glossary.html"), glossary(glossary_file))
     root = tree.Element("ServerManagerConfiguration")
     for group in groups:
         concrete = [expanded(proxy, proxies) for proxy in group if proxy.get("class")]

@@ -30,4 +30,12 @@ def test_a_page():
     check("<b>" in text and "**" not in text, "marks of bold text")
 
 
+def test_the_glossary():
+    """Pages link to the glossary, which is a page of the help too."""
+    check('the terms are explained in the <a href="glossary.html">glossary</a>' in page("filters", "LayoutDesigner").lower(), "no link")
+    text = gui.gui_help(b"glossary.html").decode()
+    check("<h2>Glossary</h2>" in text and "<b>Quarter index (k).</b>" in text, "the page of the glossary")
+    check("](" not in text and "![" not in text, "marks of links and pictures")
+
+
 run("test_", globals(), lambda test: test(), (600, 400, 200))
