@@ -140,7 +140,8 @@ void Print(vtkUnstructuredGrid* quads)
     std::cout << parts << " parts: ";
   }
   std::cout << FieldValue(quads, names::Quads) << " quads in " << FieldValue(quads, names::Blocks)
-            << " blocks, irregular nodes by valence "
+            << (FieldValue(quads, names::Blocks) == 1.0 ? " block" : " blocks")
+            << ", irregular nodes by valence "
             << nlohmann::ordered_json::parse(report->Write("quads"))["irregular"]
             << ", minimum scaled Jacobian " << FieldValue(quads, names::ScaledJacobianRange)
             << " (attainable " << FieldValue(quads, names::ScaledJacobianBound) << ")\n";

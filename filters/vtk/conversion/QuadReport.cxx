@@ -313,8 +313,8 @@ std::string DescribeQuads(const QuadResult& result)
 {
   std::ostringstream text;
   text << result.mesh.quads.size() << " quads in " << result.blocks.blocks.size()
-       << " blocks; minimum angle " << std::fixed << std::setprecision(0)
-       << Degrees(result.quality.minimumAngle) << "°";
+       << (result.blocks.blocks.size() == 1 ? " block" : " blocks") << "; minimum angle "
+       << std::fixed << std::setprecision(0) << Degrees(result.quality.minimumAngle) << "°";
   return text.str();
 }
 
