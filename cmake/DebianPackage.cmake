@@ -2,14 +2,16 @@
 # package. The package holds what `cmake --install` installs, in /usr, and the files that Debian and ParaView
 # require. Only for the build against ParaView.
 
-# ParaView reads a file that names lists of plugins: paraview.conf in the folder of its program. Debian's
-# packages of ParaView have no such file.
 set(extra "${CMAKE_BINARY_DIR}/debian")
 set(doc "share/doc/crossfield")
-configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/paraview.conf.in"
-  "${extra}/${CMAKE_INSTALL_BINDIR}/paraview.conf" @ONLY)
-configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/crossfield.plugins.xml"
-  "${extra}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/crossfield.plugins.xml" COPYONLY)
+if (ParaView_VERSION VERSION_LESS 5.13)
+  # ParaView reads a file that names lists of plugins: paraview.conf in the folder of its program. Debian 12 has
+  # no such file.
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/paraview.conf.in"
+    "${extra}/${CMAKE_INSTALL_BINDIR}/paraview.conf" @ONLY)
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/crossfield.plugins.xml"
+    "${extra}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/crossfield.plugins.xml" COPYONLY)
+endif ()
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/copyright" "${extra}/${doc}/copyright" COPYONLY)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/lintian-overrides"
   "${extra}/share/lintian/overrides/crossfield" COPYONLY)
@@ -33,6 +35,14 @@ file(CHMOD_RECURSE "${extra}"
   FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ
   DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
     WORLD_EXECUTE)
+
+if (NOT ParaView_VERSION VERSION_LESS 5.13)
+  # The ParaView of Debian 13 lists the plugins in this folder.
+  set(folder "share/paraview/plugins/CrossFieldPlugin")
+  file(MAKE_DIRECTORY "${extra}/${folder}")
+  file(CREATE_LINK "../../../../${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/CrossFieldPlugin/CrossFieldPlugin.so"
+    "${extra}/${folder}/CrossFieldPlugin.so" SYMBOLIC)
+endif ()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME crossfield)

@@ -8,7 +8,7 @@
 # the system.
 set -euo pipefail
 folder=$1
-consumer=$(realpath "$2")
+consumer=$(realpath --canonicalize-missing "$2")
 root=${3:-}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 mkdir -p "$folder"
@@ -47,7 +47,12 @@ print(crossfield.__file__)'
 done
 
 echo "== The plugin, loaded by name"
-pvpython "$here/use_plugin.py" "$root/usr"
+in_share=$root/usr/share/paraview/plugins/CrossFieldPlugin/CrossFieldPlugin.so
+if [[ -n $root && -e $in_share ]]; then
+  echo "Skipped: the ParaView of Debian 13 looks for plugins in /usr/share only, not below $root."
+else
+  pvpython "$here/use_plugin.py" "$root/usr"
+fi
 
 echo "== find_package(CrossField)"
 if [[ -e $consumer/CMakeLists.txt ]]; then
