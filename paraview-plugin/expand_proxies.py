@@ -1,8 +1,8 @@
-"""Prepares the definitions of proxies for ParaView: expand_proxies.py FOLDER GLOSSARY.md DEFINITION...
+"""Prepares the definitions of proxies for ParaView: expand_proxies.py FOLDER GLOSSARY DEFINITION...
 
 Writes all proxies that have a class to one file, with the properties of their bases (ParaView 5.11 does not override a
 property in the middle of a chain of bases), and a page FOLDER/help/GROUP.NAME.html for each, the name under which the
-client looks for its help. The page help/glossary.html, to which they link, has the texts of GLOSSARY.md. (ParaView's own generator of help needs xmlpatterns, which Qt 6 does not have.)
+client looks for its help. The page help/glossary.html, to which they link, has the texts of GLOSSARY. (ParaView's own generator of help needs xmlpatterns, which Qt 6 does not have.)
 """
 import copy
 import html
