@@ -56,15 +56,6 @@ OTHERS = [
     ("output Summary", "--json", "QuadMesh.report"),
     ("output Summary", "--verbose", "QuadMesh.report"),
 ]
-# Groups of properties that are in no PropertyGroup with a label.
-GROUPS = {
-    "Size": "QuadSize QuadCount Sizing SizeArray SizesNear SizesInside MinimumSize MaximumSize Growth ChordError",
-    "Sides and layers": "SideTable SideNameArray Sides Curves Periodic Layers Lines OpenLines Nodes",
-    "Singularities": "Singularities Pairs Clearance Prefer Alternative HoldSingularities SplitSingularities RepairHolonomy "
-                     "RepairPart",
-    "Corners": "Corners CapCorners CornerRows FeatureAngle",
-    "Other": "",
-}
 HEAD = """\
 # Options: ParaView, program, Python
 
@@ -105,12 +96,10 @@ class Panel:
         self.read_groups()
 
     def read_groups(self):
-        self.groups = {group: names.split() for group, names in GROUPS.items()}
-        for group in self.proxies["QuadMesher"].findall("PropertyGroup[@label]"):
-            inside = [element.get("name") for element in group.findall("Property")]
-            self.groups = {name: [entry for entry in names if entry not in inside] for name, names in self.groups.items()}
-            self.groups.setdefault(group.get("label"), []).extend(inside)
-        self.groups["Other"] = self.groups.pop("Other")  # the last one
+        """Reads the groups of the panel; other properties and options are in the last one, Other."""
+        self.groups = {group.get("label"): [element.get("name") for element in group.findall("Property")]
+                       for group in self.proxies["QuadMesher"].findall("PropertyGroup[@label]")}
+        self.groups["Other"] = []
 
     def of(self, name):
         """Returns the properties of a filter by their names, first those that it inherits."""

@@ -6,7 +6,6 @@ import copy
 import pathlib
 import sys
 import unittest
-import xml.etree.ElementTree as tree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
@@ -48,12 +47,8 @@ class Options(unittest.TestCase):
             "--curve": ("--curve NAME:KIND", "Curve of a side.", "")})
 
     def test_reads_groups_of_the_panel(self):
-        panel = copy.deepcopy(self.panel)
-        group = tree.SubElement(panel.proxies["QuadMesher"], "PropertyGroup", label="Blocks")
-        tree.SubElement(group, "Property", name="Merge")
-        panel.read_groups()
-        self.assertEqual(panel.group("Merge"), "Blocks")
-        self.assertEqual((panel.group("Sides.Count"), list(panel.groups)[-1]), ("Sides and layers", "Other"))
+        self.assertEqual(list(self.panel.groups), ["Size", "Sides and layers", "Singularities", "Corners", "Other"])
+        self.assertEqual((self.panel.group("Sides.Count"), self.panel.group("Input")), ("Sides and layers", "Other"))
 
     def refused(self, panel, found, package, sentence):
         with self.assertRaises(SystemExit) as raised:

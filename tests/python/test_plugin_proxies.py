@@ -129,8 +129,8 @@ def test_groups():
         ordered.Next()
     places = [order.index(member) for member in members]
     check_equal(places, sorted(places), "the order of the properties")
-    shown = [item for item in members if item.GetPanelVisibility() == "default"]
-    check(len(shown) < 22, "%d properties are shown outside the gear" % len(shown))
+    for name, visibility in ("QuadSize", "default"), ("MaximumSize", "default"), ("MeshSize", "advanced"), ("Clearance", "advanced"):
+        check_equal(prototype.GetProperty(name).GetPanelVisibility(), visibility, "the visibility of " + name)
 
 
 run_tests(test_proxies, test_menus, test_groups)

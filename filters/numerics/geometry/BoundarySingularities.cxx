@@ -42,10 +42,9 @@ std::vector<CornerChoice> BoundaryChoices(
   const PlanarDomain& domain, const Configuration& configuration)
 {
   std::vector<CornerChoice> choices;
-  const double reach = BoundaryReach * domain.Diagonal(); // takes longer than the distances
   for (const Singularity& singularity : configuration)
   {
-    if (std::abs(SignedDistance(singularity.position, domain)) <= reach)
+    if (IsOnBoundary(domain, singularity.position))
     {
       choices.push_back({ singularity.position, singularity.quarterIndex });
     }

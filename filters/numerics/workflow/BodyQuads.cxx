@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
@@ -41,21 +42,12 @@ Layout LayOutChosen(ConedSurface& face, bool chooses, bool withoutPairs, QuadSec
   return LayOutFace(face, seconds, progress.Part(0.6, 1.0));
 }
 
-/// Returns whether there are singularities of both signs.
-bool HasOpposite(const std::vector<Cone>& cones)
+/// Returns the number of pairs of opposite singularities, which have indices 1 and -1.
+int CountPairs(const ConedSurface& face)
 {
-  const auto has = [&](int sign)
-  {
-    return std::any_of(cones.begin(), cones.end(),
-      [sign](const Cone& cone) { return !cone.onBoundary && sign * cone.quarterIndex > 0; });
-  };
-  return has(1) && has(-1);
-}
-
-int CountSingularities(const std::vector<Cone>& cones)
-{
-  return static_cast<int>(
-    std::count_if(cones.begin(), cones.end(), [](const Cone& cone) { return !cone.onBoundary; }));
+  const auto inside = std::count_if(
+    face.cones.begin(), face.cones.end(), [](const Cone& cone) { return !cone.onBoundary; });
+  return (static_cast<int>(inside) - std::abs(face.GivenQuarters())) / 2;
 }
 
 /// Makes the quads of one part.
@@ -83,11 +75,11 @@ public:
     if (this->Chooses && this->Body.faces.size() == 1 &&
       this->Body.faces.front().topology->TriangleCount() <= MostTriangles)
     {
-      const bool hasPairs = HasOpposite(this->Body.faces.front().cones);
+      const int pairs = CountPairs(this->Body.faces.front());
       this->Improve(made, progress.Part(0.4, 0.6));
-      if (hasPairs && !this->WithoutPairs)
+      if (pairs > 0)
       {
-        this->TryWithoutPairs(made, progress.Part(0.6, 1.0));
+        this->TryWithoutPairs(pairs, made, progress.Part(0.6, 1.0));
       }
       made.quads.seconds = this->Seconds;
     }
@@ -128,17 +120,15 @@ private:
 
   /// Takes quads without pairs of opposite singularities if they are better and each pair has removed less than a part
   /// of the spread of sizes: smooth crosses have such pairs where sizes change.
-  void TryWithoutPairs(PartOfQuads& made, const Progress& progress)
+  void TryWithoutPairs(int pairs, PartOfQuads& made, const Progress& progress)
   {
     constexpr double Removed = 0.15; // as for pairs that are added in a plane (QuadRequest::pairs)
-    const int count = CountSingularities(this->Body.faces.front().cones);
     this->WithoutPairs = true;
     std::optional<PartOfQuads> fewer = this->TryAgain();
     if (!fewer)
     {
       return;
     }
-    const int pairs = (count - CountSingularities(this->Body.faces.front().cones)) / 2;
     this->Improve(*fewer, progress);
     const double worth = std::pow(1.0 - Removed, pairs) * fewer->quads.quads.quality.variation;
     if (made.quads.quads.quality.variation > worth && IsBetter(*fewer, made))
