@@ -66,6 +66,32 @@ def drag(view, path):
     wait()
 
 
+def apply():
+    check(gui.gui_click(b"Apply"), "no Apply")
+    wait(400)
+
+
+def make(name, **inputs):
+    """Creates a source, or a filter of the active source, from the menu, and applies it."""
+    wait()  # until the menu is updated for the active source
+    check(gui.gui_trigger(name.encode()), name + " is not in the menu")
+    wait()
+    for label, choice in inputs.items():
+        check(gui.gui_select_choice(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
+    apply()
+    return simple.GetActiveSource()
+
+
+def new_view(**properties):
+    """Begins a session with a white view, and returns the view."""
+    simple.ResetSession()
+    wait(300)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    simple.SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0, **properties)
+    wait(200)
+    return view
+
+
 def run(prefix, names, each, window=None):
     """Calls `each` with every function of `names` whose name starts with `prefix`, then ends the
     client.

@@ -11,7 +11,7 @@ import time
 import numpy as np
 from paraview.simple import *
 
-from gui_driver import gui, messages, picture, pixel, run, wait
+from gui_driver import gui, messages, new_view, picture, pixel, run, wait
 
 MOVES = int(os.environ.get("MOVES", 60))
 STATES = os.environ["STATES"]
@@ -41,14 +41,6 @@ def report(name, times):
         name, statistics.median(walls), walls[len(walls) * 9 // 10], statistics.median(processors),
         processors[len(processors) * 9 // 10]), flush=True)
     print(messages(), end="")
-
-
-def new_view():
-    ResetSession()
-    wait(300)
-    view = GetActiveViewOrCreate("RenderView")
-    SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
-    return view
 
 
 def make(name):

@@ -6,7 +6,7 @@ import numpy as np
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from gui_driver import check, check_equal, drag, gui, messages, picture, run, wait
+from gui_driver import check, check_equal, drag, gui, messages, new_view, picture, run, wait
 
 HOLES = (0.9, 0.9, 0.25), (2.9, 0.8, 0.3), (2.0, 2.1, 0.2)
 # Quads with nodes at these places, which were drawn at random, would be inverted.
@@ -214,12 +214,7 @@ def test_undo_with_a_start(view):
 
 
 def in_new_session(test):
-    ResetSession()
-    wait(300)
-    view = GetActiveViewOrCreate("RenderView")
-    SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0, InteractionMode="2D")
-    wait(200)
-    test(view)
+    test(new_view(InteractionMode="2D"))
     check_equal(messages(), "", "messages of " + test.__name__)
 
 

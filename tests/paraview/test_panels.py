@@ -7,7 +7,7 @@ from paraview.simple import *
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
-from gui_driver import check, check_equal, gui, messages, picture, run, wait
+from gui_driver import check, check_equal, gui, messages, new_view, picture, run, wait
 
 ACTIONS = []
 
@@ -163,12 +163,7 @@ def test_lists_of_colours(view):
 
 
 def in_new_session(test):
-    ResetSession()
-    wait(300)
-    view = GetActiveViewOrCreate("RenderView")
-    SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
-    wait(200)
-    test(view)
+    test(new_view())
     check_equal(messages(), "", "messages of " + test.__name__)
 
 

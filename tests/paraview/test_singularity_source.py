@@ -3,7 +3,8 @@ shown; started by run_client.py."""
 import numpy as np
 from paraview.simple import *
 
-from gui_driver import check, check_equal, drag, gui, messages, picture, run, wait
+import gui_driver
+from gui_driver import check, check_equal, drag, gui, messages, new_view, picture, run, wait
 
 DEFAULTS = [0.4242640687119285, 0.4242640687119285, 1, 0.1, -0.4242640687119285, 0.4242640687119285, 1, 0.1,
             -0.4242640687119285, -0.4242640687119285, 1, 0.1, 0.4242640687119285, -0.4242640687119285, 1, 0.1]
@@ -33,15 +34,9 @@ def note():
 
 
 def make(name, **inputs):
-    wait()
-    check(gui.gui_trigger(name.encode()), name + " is not in the menu")
-    wait()
-    for label, choice in inputs.items():
-        check(gui.gui_select_choice(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
-    check(gui.gui_click(b"Apply"), "no Apply for " + name)
-    wait(400)
+    made = gui_driver.make(name, **inputs)
     check_equal(messages(), "", "messages of " + name)
-    return GetActiveSource()
+    return made
 
 
 def test_without_a_domain(view):
@@ -137,12 +132,7 @@ def test_handles_of_what_is_shown(view):
 
 
 def in_new_session(test):
-    ResetSession()
-    wait(300)
-    view = GetActiveViewOrCreate("RenderView")
-    SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
-    wait(200)
-    test(view)
+    test(new_view())
 
 
 run("test_", globals(), in_new_session, (1000, 800, 370))

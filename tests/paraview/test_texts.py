@@ -2,7 +2,7 @@
 Output Messages stays closed; started by run_client.py."""
 from paraview.simple import *
 
-from gui_driver import check, check_equal, gui, log, messages, picture, run, wait
+from gui_driver import apply, check, check_equal, gui, log, make, messages, picture, run, wait
 
 BLACK, RED = [0, 0, 0], [0.85, 0.1, 0.1]
 # The polygon of docs/tutorial_paraview.md.
@@ -35,21 +35,6 @@ def contrast(colour, other):
         return sum(weight * (c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4)
                    for weight, c in zip((0.2126, 0.7152, 0.0722), rgb)) + 0.05
     return max(brightness(colour), brightness(other)) / min(brightness(colour), brightness(other))
-
-
-def apply():
-    check(gui.gui_click(b"Apply"), "no Apply")
-    wait(400)
-
-
-def make(name, **inputs):
-    wait()  # until the menu is updated for the active source
-    check(gui.gui_trigger(name.encode()), name + " is not in the menu")
-    wait()
-    for label, choice in inputs.items():
-        check(gui.gui_select_choice(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
-    apply()
-    return GetActiveSource()
 
 
 def test_field(domain, points):

@@ -6,26 +6,10 @@ import os
 
 from paraview.simple import *
 
-from gui_driver import check, check_equal, gui, messages, run, wait
+from gui_driver import apply, check, check_equal, gui, make, messages, run, wait
 from tutorial_texts import tutorial_picture
 
 PAGE = os.path.join(os.environ["STATES"], "..", "..", "docs", "tutorial_paraview.md")
-
-
-def apply():
-    check(gui.gui_click(b"Apply"), "no Apply")
-    wait(400)
-
-
-def make(name, **inputs):
-    """Creates a source, or a filter of the active source, from the menu."""
-    wait()
-    check(gui.gui_trigger(name.encode()), name + " is not in the menu")
-    wait()
-    for label, choice in inputs.items():
-        check(gui.gui_select_choice(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
-    apply()
-    return GetActiveSource()
 
 
 def step_domain():
