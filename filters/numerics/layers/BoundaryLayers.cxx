@@ -323,6 +323,28 @@ private:
     return plan;
   }
 
+  /// Returns the line at a layered side whose point at the wall is nearest to a place.
+  static std::size_t NearestLine(const BandLines& lines, const Point& place)
+  {
+    std::size_t nearest = 0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t line = 0; line < lines.Lines().size(); ++line)
+    {
+      const double distance = (place - lines.WallAt(line)).norm();
+      if (lines.Lines()[line].isLayered && distance < smallest)
+      {
+        smallest = distance;
+        nearest = line;
+      }
+    }
+    return nearest;
+  }
+
+  static double DistanceFromWall(const BandLines& lines, const Point& place)
+  {
+    return (place - lines.WallAt(NearestLine(lines, place))).norm();
+  }
+
   /// Returns the error for a band with too few rows.
   Error LackOf(const QuadBand& band, const QuadWalk& walk, int needed) const
   {
@@ -336,22 +358,18 @@ private:
     {
     case BandEnd::Irregular:
     {
-      // The height of the rows there.
       const BandLines lines(this->Layered, band, walk, this->Curves, available);
-      double distance = std::numeric_limits<double>::infinity();
-      double height = 0.0;
-      for (std::size_t line = 0; line < lines.Lines().size(); ++line)
+      const std::size_t nearest = NearestLine(lines, band.place);
+      const double height = std::max(lines.Lines()[nearest].length / available, this->QuadSize);
+      const double away = (needed - available) * height;
+      double farthest = 0.0;
+      for (const QuadPoint& point : this->Layered.mesh.points)
       {
-        const double candidate = (band.place - lines.WallAt(line)).norm();
-        if (lines.Lines()[line].isLayered && candidate < distance)
-        {
-          distance = candidate;
-          height = lines.Lines()[line].length / available;
-        }
+        farthest = std::max(farthest, DistanceFromWall(lines, point.InPlane()));
       }
+      const bool hasRoom = DistanceFromWall(lines, band.place) + away < farthest;
       return Error(start + "irregular nodes" + place,
-        "move the singularities " +
-          FormatNumber((needed - available) * std::max(height, this->QuadSize), 2) + " away",
+        hasRoom ? "move the singularities " + FormatNumber(away, 2) + " away" : "",
         Error::Kind::LackOfRows);
     }
     case BandEnd::Boundary:

@@ -137,7 +137,7 @@ public:
       }
     }
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
-    PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
+    PlaceOnSides(this->Curves, this->Options.prescribed, this->Options.hold, result.mesh);
     this->PairNodes(result.mesh);
     PlaceNodes(this->Curves, this->Options.nodes, result.mesh);
     MatchPairs(this->Curves, result.mesh);
@@ -229,7 +229,7 @@ private:
     // in the wrong order.
     OrderOnBoundary(mesh, this->Curves);
     MatchPairs(this->Curves, mesh);
-    MoveInside(before, mesh);
+    MoveInside(before, this->Options.hold, mesh);
   }
 
   /// Makes the problem for a size.

@@ -7,14 +7,14 @@
 
 namespace crossfield
 {
-void MoveInside(const std::vector<QuadPoint>& before, QuadMesh& mesh)
+void MoveInside(const std::vector<QuadPoint>& before, bool hold, QuadMesh& mesh)
 {
   const std::size_t count = mesh.points.size();
   std::vector<Eigen::Index> unknown(count, -1);
   Eigen::Index unknowns = 0;
   for (std::size_t p = 0; p < count; ++p)
   {
-    if (mesh.points[p].curve.loop < 0)
+    if (mesh.points[p].curve.loop < 0 && !(hold && mesh.points[p].fixed))
     {
       unknown[p] = unknowns++;
     }

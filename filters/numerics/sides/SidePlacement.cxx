@@ -77,7 +77,8 @@ void PlacePart(const BoundaryCurves& curves, const std::vector<int>& part,
 }
 }
 
-void PlaceOnSides(const BoundaryCurves& curves, const SidePrescriptions& prescribed, QuadMesh& mesh)
+void PlaceOnSides(
+  const BoundaryCurves& curves, const SidePrescriptions& prescribed, bool hold, QuadMesh& mesh)
 {
   std::vector<const QuadBoundaryEdge*> graded;
   const std::vector<QuadPoint> before = mesh.points;
@@ -104,7 +105,7 @@ void PlaceOnSides(const BoundaryCurves& curves, const SidePrescriptions& prescri
   }
   if (isMoved)
   {
-    MoveInside(before, mesh);
+    MoveInside(before, hold, mesh);
   }
   if (!graded.empty())
   {

@@ -234,12 +234,15 @@ private:
     return moves;
   }
 
-  /// Makes all corners positive, if possible. ε follows the minimum determinant and the decrease of
+  /// Makes the determinants of all corners at least Flattest, if possible. ε follows the minimum determinant and the decrease of
   /// the energy (Garanzha et al. 2021): the next minimum of χ is to be the present one less the part
   /// by which the energy decreased. Returns the number of steps.
   int Untangle(QuadEnergy& energy, QuadDescent& descent, Eigen::VectorXd& unknowns,
     const Progress& progress) const
   {
+    // A corner of determinant D has a gradient of about 1/D², so with ε = 0 the first step is too long by 1/D³, and 30
+    // halvings shorten it enough from here on.
+    constexpr double Flattest = 1e-3;
     // χ decreases by a tenth at least per round: to 2e-3 of its start in all.
     constexpr int Rounds = 60;
     constexpr double SmallestDecrease = 0.1;
@@ -247,7 +250,7 @@ private:
     int steps = 0;
     double minimum = energy.MinimumDeterminant(unknowns);
     double epsilon = std::sqrt(1e-4 + 0.25 * minimum * minimum);
-    for (int round = 0; round < Rounds && minimum <= 0.0 && steps < maximumSteps; ++round)
+    for (int round = 0; round < Rounds && minimum < Flattest && steps < maximumSteps; ++round)
     {
       const DescentLimits limits = { std::min(StepsOfRound, maximumSteps - steps), 0.0, 1e-6 };
       const double before = energy.Value(unknowns, epsilon, nullptr);

@@ -322,9 +322,11 @@ private:
     }
     if (error.GetKind() == Error::Kind::LackOfRows)
     {
+      const std::string move = error.GetRemedy();
       return { error.GetCause(),
         this->Request.singularities
-          ? error.GetRemedy() + ", or leave them out, and others are chosen"
+          ? (move.empty() ? "leave the singularities" : move + ", or leave them") +
+            " out, and others are chosen"
           : "use smaller quads, or a larger growth",
         error.GetKind() };
     }

@@ -260,12 +260,35 @@ TEST(BoundaryLayers, ChosenSingularitiesLeaveRoom)
     singularity.position += away * (singularity.position - Point(0.1, 0.0)).normalized();
   }
   EXPECT_NO_THROW(MakeQuadMesh(domain, moved)) << away;
-  EXPECT_NE(message.find("or leave them out"), std::string::npos) << message;
+  EXPECT_NE(message.find(", or leave them out"), std::string::npos) << message;
   request.singularities.reset();
   const QuadWorkflowResult result = MakeQuadMesh(domain, request);
   EXPECT_GE(result.layers[0].partInBounds, 0.95);
   EXPECT_LE(result.layers[0].largestRatio, 2.5);
   EXPECT_EQ(result.quads.quality.inverted, 0);
+}
+
+TEST(BoundaryLayers, NoMoveIsOfferedBeyondTheDomain)
+{
+  const PlanarDomain domain = MakePlanarDomain({ RegularPolygon(64, 1.0) });
+  QuadRequest request;
+  request.quadCount = 300;
+  request.singularities = Configuration{ { { 0.5, 0.5 }, 1 }, { { -0.5, 0.5 }, 1 },
+    { { -0.5, -0.5 }, 1 }, { { 0.5, -0.5 }, 1 } };
+  request.sideRequests = { LayerOf("outer0", 0.01) };
+  std::string message;
+  try
+  {
+    MakeQuadMesh(domain, request);
+  }
+  catch (const Error& error)
+  {
+    message = error.what();
+  }
+  EXPECT_EQ(message.find("move the singularities"), std::string::npos) << message;
+  EXPECT_NE(message.find("; leave the singularities out"), std::string::npos) << message;
+  request.singularities.reset();
+  EXPECT_NO_THROW(MakeQuadMesh(domain, request));
 }
 
 /// Returns a profile of sharp trailing edge (NACA 0012), from the trailing edge over the upper

@@ -37,6 +37,34 @@ TEST(HeldNodes, AreAtRandomPlacesInsideAndOnTheBoundary)
   }
 }
 
+TEST(HeldNodes, ANodeMayComeFromTheCornerOfTheQuadAroundItsPlace)
+{
+  // The centre of the disk is the centre of a quad, which its corner there makes flat.
+  const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(64) });
+  QuadRequest request;
+  request.quadCount = 777;
+  request.nodes = { { 0.0, 0.0 } };
+  const QuadWorkflowResult result = MakeQuadMesh(disk, request);
+  EXPECT_EQ(DescribeMissedPlaces(request.nodes, result.quads.mesh), "");
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.8);
+}
+
+TEST(HeldNodes, SingularitiesStayWherePointsOfSidesMove)
+{
+  const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(64) });
+  QuadRequest request;
+  request.quadCount = 300;
+  request.hold = true;
+  request.singularities = Configuration{ { { 0.5, 0.5 }, 1 }, { { -0.5, 0.5 }, 1 },
+    { { -0.5, -0.5 }, 1 }, { { 0.5, -0.5 }, 1 } };
+  request.sideRequests.resize(1);
+  request.sideRequests[0].side = "outer0";
+  request.sideRequests[0].size = 0.05;
+  const QuadWorkflowResult result = MakeQuadMesh(disk, request);
+  EXPECT_LT(result.moved, 1e-12);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+}
+
 TEST(HeldNodes, PlacesOutsideAreRefused)
 {
   QuadRequest request;

@@ -240,6 +240,27 @@ TEST(RegionQuads, KeepGivenSingularities)
   EXPECT_LE(result.quads.blocks.blocks.size(), 17U);
 }
 
+TEST(RegionQuads, HoldSingularitiesExactly)
+{
+  const RegionSet set = MakeRegionSet(FibreInSquare(0.5));
+  QuadRequest request;
+  request.quadCount = 800;
+  request.hold = true;
+  request.singularities = Configuration{ { { 0.27, 0.21 }, 1 }, { { -0.2, 0.26 }, 1 },
+    { { -0.24, -0.25 }, 1 }, { { 0.25, -0.23 }, 1 } };
+  for (const double x : { 0.65, -0.65 })
+  {
+    request.singularities->push_back({ { x, 0.65 }, -1 });
+    request.singularities->push_back({ { x, -0.65 }, -1 });
+  }
+  const QuadWorkflowResult result = MakeQuadsOfRegions(set, PartsOf(set), request);
+  ExpectConforming(result, 4.0, 1);
+  EXPECT_LT(result.moved, 1e-12);
+  ASSERT_TRUE(result.moves);
+  EXPECT_TRUE(result.moves->empty());
+  EXPECT_GT(result.quads.quality.jacobian.min, 0.5);
+}
+
 TEST(RegionQuads, RefuseWhatIsNotAvailable)
 {
   const RegionSet set = MakeRegionSet(ObliqueCut(75.0));
