@@ -68,6 +68,19 @@ public:
       haveImages(this->Vertices) && haveImages(this->Middles);
   }
 
+  /// Returns whether all rotations of a cyclic group are symmetries: a small one moves little, several of it more.
+  bool HasRotations(int order) const
+  {
+    for (int turns = 1; 2 * turns <= order; ++turns) // the others are their inverses
+    {
+      if (!this->IsSymmetry({ this->Centre, 2.0 * Pi * turns / order, false }))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /// Returns the angles from the centre at which an image of one feature may be: those of the
   /// circles that are not concentric, or else those of the vertices of other loops.
   std::vector<double> Directions() const
@@ -114,7 +127,7 @@ SymmetryGroup FindCurveSymmetries(const PlanarDomain& domain)
   }
   for (int order = MostRotations; order > group.order; --order)
   {
-    if (order % group.order == 0 && curves.IsSymmetry({ group.centre, 2.0 * Pi / order, false }))
+    if (order % group.order == 0 && curves.HasRotations(order))
     {
       group.order = order;
       break;

@@ -5,6 +5,7 @@
 #include "CurveSymmetry.h"
 #include "ExactSymmetry.h"
 #include "MakePlanarDomain.h"
+#include "QuadWorkflow.h"
 #include "Support.h"
 
 #include <Eigen/Geometry>
@@ -65,6 +66,25 @@ double LargestMove(const PlanarDomain& a, const PlanarDomain& b)
   }
   return largest;
 }
+}
+
+TEST(CurveSymmetry, RotationsThatMoveLittleAreNoGroup)
+{
+  // A rotation by 15° moves the hole by less than the tolerance, one by 180° by more.
+  for (const double offset : { 0.008, 0.012, 0.016, 0.02 })
+  {
+    const Point centre = offset * Point(0.6, 0.8);
+    const PlanarDomain ring =
+      MakePlanarDomain({ RegularPolygon(97), RegularPolygon(64, 0.5, centre) });
+    const SymmetryGroup group = FindCurveSymmetries(ring);
+    EXPECT_EQ(group.order, 1) << offset;
+    EXPECT_TRUE(group.reflects);
+    QuadRequest request;
+    request.quadCount = 400;
+    const QuadWorkflowResult result = MakeQuadMesh(ring, request);
+    EXPECT_TRUE(result.singularities.empty());
+    EXPECT_GT(result.quads.quality.jacobian.min, 0.9);
+  }
 }
 
 TEST(CurveSymmetry, ComparesCircles)
