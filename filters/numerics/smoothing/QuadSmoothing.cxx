@@ -234,9 +234,9 @@ private:
     return moves;
   }
 
-  /// Makes the determinants of all corners at least Flattest, if possible. ε follows the minimum determinant and the decrease of
-  /// the energy (Garanzha et al. 2021): the next minimum of χ is to be the present one less the part
-  /// by which the energy decreased. Returns the number of steps.
+  /// Makes the determinants of all corners at least Flattest, if possible. ε follows the minimum
+  /// determinant and the decrease of the energy (Garanzha et al. 2021): the next minimum of χ is to be
+  /// the present one less the part by which the energy decreased. Returns the number of steps.
   int Untangle(QuadEnergy& energy, QuadDescent& descent, Eigen::VectorXd& unknowns,
     const Progress& progress) const
   {
