@@ -438,15 +438,15 @@ void QuadSteps::AddWarnings()
     if (!layer.lack.empty())
     {
       result.warnings.push_back(Sentence(layer.lack + "; heights of neighbours differ by up to " +
-          FormatNumber(layer.largestRatio, 2) + " : 1, and the first row has the given height on " +
-          FormatNumber(100.0 * layer.partInBounds, 2) + " % of the side",
+          FormatNumber(layer.largestRatio, 3) + " : 1, and the first row has the given height on " +
+          FormatNumber(100.0 * layer.partInBounds, 3) + " % of the side",
         "use smaller quads, or a larger growth"));
     }
     else if (layer.partInBounds < EnoughInBounds)
     {
       result.warnings.push_back("The first row of the layer of '" + layer.name + "' is " +
         FormatNumber(layer.minimumHeight, 3) + " to " + FormatNumber(layer.maximumHeight, 3) +
-        " high; within 5 % of the given height on " + FormatNumber(100.0 * layer.partInBounds, 2) +
+        " high; within 5 % of the given height on " + FormatNumber(100.0 * layer.partInBounds, 3) +
         " % of the side only.");
     }
   }
