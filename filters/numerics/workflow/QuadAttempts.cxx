@@ -322,10 +322,10 @@ private:
     }
     if (error.GetKind() == Error::Kind::LackOfRows)
     {
-      const std::string move = error.GetRemedy();
+      const std::string& remedy = error.GetRemedy();
       return { error.GetCause(),
         this->Request.singularities
-          ? (move.empty() ? "leave the singularities" : move + ", or leave them") +
+          ? (remedy.empty() ? "leave the singularities" : remedy + ", or leave them") +
             " out, and others are chosen"
           : "use smaller quads, or a larger growth",
         error.GetKind() };

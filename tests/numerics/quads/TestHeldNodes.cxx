@@ -37,18 +37,6 @@ TEST(HeldNodes, AreAtRandomPlacesInsideAndOnTheBoundary)
   }
 }
 
-TEST(HeldNodes, ANodeMayComeFromTheCornerOfTheQuadAroundItsPlace)
-{
-  // The centre of the disk is the centre of a quad, which its corner there makes flat.
-  const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(64) });
-  QuadRequest request;
-  request.quadCount = 777;
-  request.nodes = { { 0.0, 0.0 } };
-  const QuadWorkflowResult result = MakeQuadMesh(disk, request);
-  EXPECT_EQ(DescribeMissedPlaces(request.nodes, result.quads.mesh), "");
-  EXPECT_GT(result.quads.quality.jacobian.min, 0.8);
-}
-
 TEST(HeldNodes, SingularitiesStayWherePointsOfSidesMove)
 {
   const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(64) });

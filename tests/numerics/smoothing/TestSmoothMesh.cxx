@@ -128,6 +128,23 @@ TEST(SmoothMesh, RepairsInvertedQuads)
   }
 }
 
+TEST(SmoothMesh, RepairsQuadsOfNearlyNoArea)
+{
+  constexpr int N = 8;
+  Random none(1);
+  const PlainQuads grid = Grid(N, 0.0, none);
+  MeshSmoothingOptions options;
+  options.uniform = true;
+  for (const double height : { 1e-13, 1e-10, 1e-7, 1e-5, 1e-4 })
+  {
+    // A corner of an inner quad, moved nearly to the diagonal between its neighbours.
+    PlainQuads mesh = grid;
+    SpacePoint& corner = mesh.points[4 * (N + 1) + 4];
+    corner += (0.5 - height) / N * SpacePoint(1.0, 1.0, 0.0);
+    EXPECT_GT(SmoothMesh(mesh, options).after.jacobian.min, 0.99) << height;
+  }
+}
+
 TEST(SmoothMesh, ImprovesUnstructuredMeshes)
 {
   for (const double meshSize :
